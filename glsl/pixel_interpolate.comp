@@ -24,17 +24,18 @@ uniform int from_number;
 uniform int from_vertex;
 uniform int to_number;
 uniform int to_point;
+uniform int to_first;  // first point's place in the result
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= count) return;
     int number = int(gl_GlobalInvocationID.y);
-    uint corner = 3u * points[i].triangle;
+    uint corner = first_corner(points[i], corners.length());
     vec2 weight = weights[i];
     float of_corner[3] = float[3](1.0 - weight.x - weight.y, weight.x, weight.y);
     int channel = int(gl_GlobalInvocationID.z);
     int source = channel * from_channel + number * from_number;
-    int result = channel * to_channel + number * to_number + i * to_point;
+    int result = channel * to_channel + number * to_number + (to_first + i) * to_point;
     float sum = add ? to[result] : 0.0;
     for (int k = 0; k < 3; ++k) {
         int v = int(corners[corner + uint(k)]);

@@ -17,7 +17,6 @@ layout(std430, binding = 5) writeonly buffer Normals { float normals[]; };
 layout(std430, binding = 6) writeonly buffer Weights { vec2 weights[]; };  // second, third corner
 
 uniform int count;
-uniform int first_vertex;  // first bound vertex
 uniform int width;
 uniform vec2 size;       // size of the image, in pixels
 uniform vec2 half_size;  // half size of the image at unit distance, or in the world
@@ -40,8 +39,8 @@ void main() {
     vec2 at = (vec2(2.0, -2.0) * from_middle / size + shift) * half_size;
     vec3 aside = at.x * right + at.y * up;
 
-    ivec3 corner = ivec3(corners[3u * point.triangle], corners[3u * point.triangle + 1u],
-                         corners[3u * point.triangle + 2u]) - first_vertex;
+    uint first = first_corner(point, corners.length());
+    ivec3 corner = ivec3(corners[first], corners[first + 1u], corners[first + 2u]);
     vec3 a = position_of(corner.x);
     precise vec3 from_eye = (a - eye) - eye_rest;
     vec3 second = position_of(corner.y) - a;

@@ -8,12 +8,13 @@
 layout(std430, binding = 3) readonly buffer Light { float light[]; };  // [channel]
 layout(std430, binding = 4) writeonly buffer Result { vec2 result[]; };  // [channel][field][l l + l + k][point]
 
+uniform ivec2 points;     // first point, and the end of the points
 uniform int number_step;  // step from a number of the light to the next
 uniform int point_step;   // step from a point to the next; 0: all points have one light
 
 void main() {
-    int v = int(gl_GlobalInvocationID.x);
-    if (v >= count) return;
+    int v = points[0] + int(gl_GlobalInvocationID.x);
+    if (v >= points[1]) return;
     int channel = int(gl_GlobalInvocationID.z);
     int size = (order + 1) * (order + 1);
     int field = int(gl_GlobalInvocationID.y) / size;

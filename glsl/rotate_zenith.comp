@@ -8,6 +8,8 @@
 layout(std430, binding = 3) readonly buffer Fields { vec2 fields[]; };  // [channel][field][l l + l + k][point]
 layout(std430, binding = 4) writeonly buffer Light { float light[]; };  // [channel][number][point]
 
+uniform int count;
+
 vec2 rotated(int field, int l, int m, int v, vec2 b) {
     int channel = int(gl_GlobalInvocationID.z);
     int middle = field * (order + 1) * (order + 1) + l * l + l;

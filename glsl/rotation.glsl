@@ -17,7 +17,6 @@ layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
 layout(std430, binding = 2) readonly buffer Entries { ivec4 entries[]; };
 
 uniform int first;   // first point, in the bound normals
-uniform int count;
 uniform int stride;  // number of points in the output
 // Steps from a channel to the next, in the light and in the fields between both passes.
 uniform int light_step;

@@ -101,22 +101,24 @@ const DeviceDense::Piece& DeviceDense::first_piece(const PixelRun& run) const {
                               [](const Piece& piece) { return piece.light.first(); });
 }
 
-void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels) {
-    const Piece& first = first_piece(run);
-    DeviceLight& light = pixels.light(run, first.light.coefficients(), first.light.channels());
+void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelStretch& stretch,
+                               DevicePixels& pixels) {
+    const VertexRange& surface = stretch.runs.front().surface;
+    const Piece& first = first_piece(stretch.runs.front());
+    DeviceLight& light =
+        pixels.light(stretch.first, stretch.last, first.light.coefficients(), first.light.channels());
     for (const Piece& piece : pieces_) {
-        if (piece.light.first() >= first.light.first()) pixels.interpolate(piece.light, run, light);
+        const std::size_t begin = piece.light.first();
+        if (begin >= surface.first && begin < surface.last)
+            pixels.interpolate(piece.light, begin > surface.first, stretch.first, light);
     }
     rotation_->set_layout(first.material->outgoing());
-    rotation_->into_frames(*pixels.points().normals, light);
+    rotation_->into_frames(*pixels.points().normals, stretch.first, light);
 }
 
-void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelInput& /*input*/,
-                               const PixelRun& run, DevicePixels& pixels, DeviceShade& shade,
-                               const DevicePoints& points) {
-    const Piece& piece = first_piece(run);
-    const DeviceLight& light = pixels.light(run, piece.light.coefficients(), piece.light.channels());
-    shade.run(*piece.table, light, run.first, run.last, points);
+void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelRun& run,
+                               const DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points) {
+    shade.run(*first_piece(run).table, pixels.light(), run.first, run.last, points);
 }
 
 }  // namespace nicol

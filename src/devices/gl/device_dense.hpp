@@ -27,10 +27,12 @@ public:
 
     /// Returns the largest number of points that shading at pixels takes at once.
     [[nodiscard]] std::size_t prepare_pixels(const DenseMethod& method, const PixelInput& input);
-    /// Computes the light that leaves a run's points.
-    void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
-    void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
-                      DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
+    /// Pieces have lights of several sizes.
+    static constexpr DevicePixels::Joins kJoins = DevicePixels::Joins::none;
+    /// Computes the light that leaves the points of a stretch, which has one run.
+    void light_pixels(const PixelInput& input, const PixelStretch& stretch, DevicePixels& pixels);
+    void shade_pixels(const MaterialPtr& material, const PixelRun& run, const DevicePixels& pixels,
+                      DeviceShade& shade, const DevicePoints& points);
 
 private:
     // Vertices of one instance whose matrices fit into one binding.

@@ -185,21 +185,21 @@ std::size_t DeviceFactored::prepare_pixels(const FactoredMethod& method, const P
     return most_points(input);
 }
 
-void DeviceFactored::light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels) {
-    const DevicePoints& points = pixels.points();
-    DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
-    if (run.occluded) {
-        for (const DeviceLight& of_vertices : light_) pixels.interpolate(of_vertices, run, light);
-        rotation_->into_frames(*points.normals, light);
-    } else {
-        rotation_->run(*points.normals, light);
+void DeviceFactored::light_pixels(const PixelInput& input, const PixelStretch& stretch,
+                                  DevicePixels& pixels) {
+    DeviceLight& light =
+        pixels.light(stretch.first, stretch.last, input.layout.size(), input.light.channels());
+    if (stretch.occluded < stretch.last) {
+        for (const DeviceLight& of_vertices : light_)
+            pixels.interpolate(of_vertices, of_vertices.first() > 0, stretch.occluded, light);
     }
+    rotation_->into_frames(*pixels.points().normals, stretch.occluded, light);
 }
 
-void DeviceFactored::shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
-                                  DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points) {
-    const DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
-    shade.run(tables_.at(material), light, run.first, run.last, points);
+void DeviceFactored::shade_pixels(const MaterialPtr& material, const PixelRun& run,
+                                  const DevicePixels& pixels, DeviceShade& shade,
+                                  const DevicePoints& points) {
+    shade.run(tables_.at(material), pixels.light(), run.first, run.last, points);
 }
 
 }  // namespace nicol

@@ -52,11 +52,12 @@ public:
 
     /// Copies what shading at pixels needs. Returns the largest number of points that it takes at once.
     std::size_t prepare_pixels(const FactoredMethod& method, const PixelInput& input);
-    /// Computes the light of a run's points.
-    void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
+    static constexpr DevicePixels::Joins kJoins = DevicePixels::Joins::plain;
+    /// Computes the light of a stretch's points.
+    void light_pixels(const PixelInput& input, const PixelStretch& stretch, DevicePixels& pixels);
     /// Shades a run's points with a plain material: computes the reflection of the points' light.
-    void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
-                      DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
+    void shade_pixels(const MaterialPtr& material, const PixelRun& run, const DevicePixels& pixels,
+                      DeviceShade& shade, const DevicePoints& points);
 
 private:
     void copy_tables(const FactoredMethod& method, const TransferInput& input);

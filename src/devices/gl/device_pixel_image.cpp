@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "devices/gl/device_pixel_image.hpp"
 
+#include <vector>
+
 namespace nicol {
 
 void DevicePixelImage::resize(int width, int height, int channels) {
     sizing_.run(width, height, channels, [&] {
-        channels_.clear();
+        channels_.reset();
         coverage_.reset();
-        gl::TextureDescription size{.width = width, .height = height};
-        for (int c = 0; c < channels; ++c) channels_.emplace_back(context_, size);
-        size.format = gl::Format::r32f;
-        coverage_.emplace(context_, size);
+        channels_.emplace(context_, width, height, channels);
+        coverage_.emplace(
+            context_, gl::TextureDescription{.width = width, .height = height, .format = gl::Format::r32f});
     });
 }
 
 void DevicePixelImage::clear() {
-    for (gl::Texture2D& channel : channels_) channel.update(std::vector<float>(channel.numbers()));
+    channels_->clear();
     coverage_->update(std::vector<float>(coverage_->numbers()));
 }
 
 void DevicePixelImage::copy_to(PixelImage& image) const {
-    for (int c = 0; c < image.channels(); ++c)
-        image.channel(c).copy_from(channels_[static_cast<std::size_t>(c)]);
+    for (int c = 0; c < image.channels(); ++c) channels_->copy_layer(c, image.channel(c));
     image.coverage().copy_from(*coverage_);
 }
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "draw/pixel_image.hpp"
 #include "gl/texture.hpp"
+#include "gl/texture_array.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -23,13 +23,13 @@ public:
     void resize(int width, int height, int channels);
     /// Clears the image: no pixel shows a surface.
     void clear();
-    [[nodiscard]] gl::Texture2D& channel(int c) { return channels_[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] gl::TextureArray& channels() { return channels_.value(); }
     [[nodiscard]] gl::Texture2D& coverage() { return coverage_.value(); }
     void copy_to(PixelImage& image) const;
 
 private:
     std::shared_ptr<gl::Context> context_;
-    std::vector<gl::Texture2D> channels_;
+    std::optional<gl::TextureArray> channels_;
     std::optional<gl::Texture2D> coverage_;
     Stage<int, int, int> sizing_;
 };

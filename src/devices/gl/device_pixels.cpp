@@ -49,6 +49,33 @@ std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> cou
     return chunks;
 }
 
+// Returns the points of a chunk in stretches of at most `most`. A stretch has one run, or all that follow
+// each other and may be joined.
+std::vector<PixelStretch> stretches_of(const DevicePixelList::Chunk& chunk, const WorldGeometry& geometry,
+                                       std::size_t most, DevicePixels::Joins joins) {
+    std::vector<PixelStretch> stretches;
+    const std::size_t ranges = geometry.ranges.size();
+    bool open = false;  // whether the last stretch may grow
+    for (std::size_t g = 0; g < chunk.counts.size(); ++g) {
+        const VertexRange& surface = geometry.ranges[g % ranges];
+        const bool occluded = g >= ranges;
+        const bool joined = joins == DevicePixels::Joins::plain && surface.material->variation() == nullptr;
+        const std::size_t last = chunk.begin[g] + chunk.counts[g];
+        for (std::size_t first = chunk.begin[g]; first < last; first += most) {
+            const std::size_t end = std::min(first + most, last);
+            if (!open || !joined || end - stretches.back().first > most)
+                stretches.push_back({.first = first, .occluded = end, .last = end, .runs = {}});
+            open = joined;
+            PixelStretch& stretch = stretches.back();
+            stretch.last = end;
+            if (!occluded) stretch.occluded = end;
+            if (occluded && (stretch.runs.empty() || !stretch.runs.back().occluded)) stretch.occluded = first;
+            stretch.runs.push_back({.surface = surface, .occluded = occluded, .first = first, .last = end});
+        }
+    }
+    return stretches;
+}
+
 void check_size(const gl::Context& context, const WorldGeometry& geometry) {
     const std::size_t most = context.limits().storage_bytes / sizeof(glm::vec3);
     if (std::max(geometry.triangles.size(), geometry.positions.size()) <= most) return;
@@ -90,6 +117,7 @@ void DevicePixelList::compile(std::span<const glm::dvec2> offsets, bool lit) {
 void DevicePixelList::find_groups() {
     const PixelInput& input = *input_;
     grouping_.run(input.versions.geometry, input.versions.visibility, [&] {
+        const auto ranges = static_cast<std::uint32_t>(input.geometry.ranges.size());
         std::vector<std::uint32_t> groups;
         groups.reserve(input.geometry.triangles.size());
         const auto occluded = [&](std::uint32_t v) {
@@ -100,7 +128,7 @@ void DevicePixelList::find_groups() {
                 std::ranges::upper_bound(input.geometry.ranges, t.x, {}, &VertexRange::last) -
                 input.geometry.ranges.begin();
             const bool any = occluded(t.x) || occluded(t.y) || occluded(t.z);
-            groups.push_back(2 * static_cast<std::uint32_t>(surface) + (any ? 1 : 0));
+            groups.push_back(static_cast<std::uint32_t>(surface) + (any ? ranges : 0));
         }
         groups_ = gl::storage(context_, groups);
     });
@@ -121,19 +149,18 @@ void DevicePixelList::bind_hits(gl::Program& program, std::size_t first, std::si
 std::vector<std::uint32_t> DevicePixelList::count(std::size_t pixels) {
     const std::size_t groups = 2 * input_->geometry.ranges.size();
     std::vector<std::uint32_t> counts((pixels + kPixelsOfBlock - 1) / kPixelsOfBlock * groups);
-    const gl::Buffer buffer(context_, gl::BufferUse::storage, counts.size() * sizeof(std::uint32_t),
-                            gl::BufferUpdate::fixed);
+    gl::write(context_, counts_, counts);
     constexpr std::size_t step = kMostBlocks * kPixelsOfBlock;
     for (std::size_t first = 0; first < pixels; first += step) {
         const std::size_t last = std::min(first + step, pixels);
         bind_hits(*count_, first, last);
         count_->set("block", static_cast<int>(kPixelsOfBlock));
         count_->set("group_count", static_cast<int>(groups));
-        buffer.bind_storage(3);
+        counts_->bind_storage(3);
         image_->coverage().bind_image();
         gl::dispatch(*count_, gl::groups_for(last - first));
     }
-    buffer.read(0, std::as_writable_bytes(std::span(counts)));
+    counts_->read(0, std::as_writable_bytes(std::span(counts)));
     return counts;
 }
 
@@ -141,9 +168,9 @@ void DevicePixelList::list(const Chunk& chunk) {
     gl::make_room(context_, points_, chunk.size * 4 * sizeof(float));
     gl::make_room(context_, shares_,
                   (chunk.last - chunk.first) * input_->hits.offsets().size() * sizeof(std::uint32_t));
-    const gl::Buffer places = gl::storage(context_, chunk.begin);
+    gl::write(context_, places_, chunk.begin);
     bind_hits(*list_, chunk.first, chunk.last);
-    places.bind_storage(3);
+    places_->bind_storage(3);
     points_->bind_storage(4);
     shares_->bind_storage(5);
     gl::dispatch(*list_, gl::groups_for(chunk.last - chunk.first));
@@ -157,23 +184,39 @@ void DevicePixelList::gather(const Chunk& chunk, const StokesBuffer& stokes,
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < input_->most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     gather_->set("wanted", wanted);
+    const std::size_t pixels = chunk.last - chunk.first;
+    gather_->set("stokes_step", static_cast<int>(stokes.step()));
+    std::size_t largest = stokes.channel_bytes();
+    if (input_->local_lights != nullptr) {
+        upload(local_lights, pixels);
+        gather_->set("lights_step", static_cast<int>(lights_->step()));
+        largest = std::max(largest, lights_->channel_bytes());
+    }
     shares_->bind_storage(0);
-    const gl::IndependentDispatches of_channels(*context_);
-    for (int c = 0; c < stokes.channels(); ++c) {
-        std::ignore = stokes.bind(1, {.first = c, .count = 1}, 0, stokes.step());
-        std::optional<gl::Buffer> lights;
-        if (input_->local_lights != nullptr) {
-            lights = gl::storage(context_, local_lights[static_cast<std::size_t>(c)]);
-            lights->bind_storage(2);
-        }
-        image_->channel(c).bind_image();
-        gl::dispatch(*gather_, gl::groups_for(chunk.last - chunk.first));
+    image_->channels().bind_image();
+    gl::for_independent_channels(*context_, stokes.channels(), largest, [&](gl::ChannelGroup channels) {
+        gather_->set("first_channel", channels.first);
+        std::ignore = stokes.bind(1, channels, 0, stokes.step());
+        if (input_->local_lights != nullptr) std::ignore = lights_->bind(2, channels, 0, pixels);
+        gl::dispatch(*gather_, gl::groups_for(pixels), 1, static_cast<unsigned>(channels.count));
+    });
+}
+
+void DevicePixelList::upload(std::span<const std::vector<glm::vec4>> local_lights, std::size_t pixels) {
+    const auto channels = static_cast<int>(local_lights.size());
+    if (!lights_ || lights_->step() < pixels || lights_->channels() != channels) {
+        lights_.reset();
+        lights_.emplace(context_, gl::BufferUse::storage, gl::BufferUpdate::dynamic, pixels, channels);
+    }
+    for (int c = 0; c < channels; ++c) {
+        const auto of_channel = std::span(local_lights[static_cast<std::size_t>(c)]).first(pixels);
+        lights_->buffer()->update(lights_->offset(c), std::as_bytes(of_channel));
     }
 }
 
 void DevicePixelList::release() {
-    points_.reset();
-    shares_.reset();
+    for (std::optional<gl::Buffer>* const buffer : {&counts_, &places_, &points_, &shares_}) buffer->reset();
+    lights_.reset();
 }
 
 DevicePixels::DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImage& image)
@@ -185,7 +228,7 @@ DevicePixels::DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImag
       interpolate_fractions_(gl::Program::compute(context_, "pixel_interpolate.comp")) {}
 
 std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers, std::size_t most,
-                                RenderRun& render, const Shade& shade, const Finish& finish) {
+                                Joins joins, RenderRun& render, const Shade& shade, const Finish& finish) {
     check_size(*context_, input.geometry);
     input_ = &input;
     buffers_ = &buffers;
@@ -199,19 +242,10 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
                                static_cast<double>(chunk.first) / static_cast<double>(width * height));
         make_room_for(chunk.size);
         list_.list(chunk);
-        for (std::size_t g = 0; g < chunk.counts.size(); ++g) {
-            const std::size_t last = chunk.begin[g] + chunk.counts[g];
-            for (std::size_t first = chunk.begin[g]; first < last; first += most) {
-                const PixelRun run{.surface = input.geometry.ranges[g / 2],
-                                   .occluded = g % 2 != 0,
-                                   .first = first,
-                                   .last = std::min(first + most, last)};
-                find_surface(run);
-                if (points_.fractions != nullptr) interpolate_fractions(run);
-                shade(run);
-            }
-            shaded += chunk.counts[g];
-        }
+        find_surfaces(chunk.size);
+        if (points_.fractions != nullptr) interpolate_fractions(chunk.size);
+        for (const PixelStretch& stretch : stretches_of(chunk, input.geometry, most, joins)) shade(stretch);
+        for (const std::uint32_t points : chunk.counts) shaded += points;
         finish(chunk.size);
         // Threads compute local lights while the device, which has all of its input, shades this chunk.
         if (input.local_lights != nullptr) {
@@ -247,78 +281,76 @@ void DevicePixels::make_room_for(std::size_t points) {
                .stokes = &*stokes_};
 }
 
-void DevicePixels::find_surface(const PixelRun& run) {
+void DevicePixels::find_surfaces(std::size_t points) {
     const Projection& projection = input_->projection;
     set_view_uniforms(surface_, input_->view);
     surface_.set("width", input_->hits.width());
     surface_.set("size", glm::vec2(input_->hits.width(), input_->hits.height()));
     surface_.set("half_size", glm::vec2(projection.half_width, projection.half_height));
     surface_.set("shift", glm::vec2(projection.shift));
-    surface_.set("count", static_cast<int>(run.last - run.first));
-    std::ignore = gl::bind_vertices(list_.points(), 0, 4, run.first, run.last);
+    surface_.set("count", static_cast<int>(points));
+    list_.points().bind_storage(0);
     buffers_->indices()->buffer().bind_storage(1);
-    const std::size_t first =
-        gl::bind_vertices(*buffers_->positions(), 2, 3, run.surface.first, run.surface.last);
-    std::ignore =
-        gl::bind_vertices(*buffers_->normals(input_->geometry), 3, 3, run.surface.first, run.surface.last);
-    surface_.set("first_vertex", static_cast<int>(first));
-    std::ignore = gl::bind_vertices(*positions_, 4, 3, run.first, run.last);
-    std::ignore = gl::bind_vertices(*normals_, 5, 3, run.first, run.last);
-    std::ignore = gl::bind_vertices(*weights_, 6, 2, run.first, run.last);
-    gl::dispatch(surface_, gl::groups_for(run.last - run.first));
+    buffers_->positions()->bind_storage(2);
+    buffers_->normals(input_->geometry)->bind_storage(3);
+    positions_->bind_storage(4);
+    normals_->bind_storage(5);
+    weights_->bind_storage(6);
+    gl::dispatch(surface_, gl::groups_for(points));
 }
 
-DeviceLight& DevicePixels::light(const PixelRun& run, std::size_t coefficients, int channels) {
-    const std::size_t count = run.last - run.first;
+DeviceLight& DevicePixels::light(std::size_t first, std::size_t last, std::size_t coefficients,
+                                 int channels) {
+    const std::size_t count = last - first;
     if (!light_ || light_->coefficients() != coefficients || light_->channels() != channels ||
         light_->stride() < count) {
         light_.reset();
-        light_.emplace(context_, run.first, count, coefficients, channels);
+        light_.emplace(context_, first, count, coefficients, channels);
     }
-    light_->place(run.first, count);
+    light_->place(first, count);
     return *light_;
 }
 
-void DevicePixels::interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light) {
-    if (vertices.last() <= run.surface.first || vertices.first() >= run.surface.last) return;
+void DevicePixels::interpolate(const DeviceLight& vertices, bool add, std::size_t first, DeviceLight& light) {
     interpolate_light_.set("first_vertex", static_cast<int>(vertices.first()));
     interpolate_light_.set("last_vertex", static_cast<int>(vertices.last()));
-    interpolate_light_.set("add", vertices.first() > run.surface.first ? 1 : 0);
+    interpolate_light_.set("add", add ? 1 : 0);
     interpolate_light_.set("from_number", static_cast<int>(vertices.stride()));
     interpolate_light_.set("from_vertex", 1);
     interpolate_light_.set("to_number", static_cast<int>(light.stride()));
     interpolate_light_.set("to_point", 1);
     interpolate_light_.set("from_channel", static_cast<int>(vertices.channel_step()));
     interpolate_light_.set("to_channel", static_cast<int>(light.channel_step()));
+    interpolate_light_.set("to_first", static_cast<int>(first - light.first()));
     const std::size_t largest = std::max(vertices.channel_bytes(), light.channel_bytes());
     gl::for_independent_channels(*context_, light.channels(), largest, [&](gl::ChannelGroup channels) {
         vertices.bind(3, channels);
         light.bind(4, channels);
-        interpolate(interpolate_light_, run, light.coefficients(), channels.count);
+        interpolate(interpolate_light_, first, light.last(), light.coefficients(), channels.count);
     });
 }
 
-void DevicePixels::interpolate_fractions(const PixelRun& run) {
-    const std::size_t first =
-        gl::bind_vertices(*buffers_->fractions(), 3, 2, run.surface.first, run.surface.last);
-    std::ignore = gl::bind_vertices(*fractions_, 4, 2, run.first, run.last);
-    interpolate_fractions_.set("first_vertex", static_cast<int>(first));
-    interpolate_fractions_.set("last_vertex", static_cast<int>(run.surface.last));
+void DevicePixels::interpolate_fractions(std::size_t points) {
+    buffers_->fractions()->bind_storage(3);
+    fractions_->bind_storage(4);
+    interpolate_fractions_.set("first_vertex", 0);
+    interpolate_fractions_.set("last_vertex", static_cast<int>(input_->geometry.positions.size()));
     interpolate_fractions_.set("add", 0);
     interpolate_fractions_.set("from_number", 1);
     interpolate_fractions_.set("from_vertex", 2);
     interpolate_fractions_.set("to_number", 1);
     interpolate_fractions_.set("to_point", 2);
-    interpolate(interpolate_fractions_, run, 2, 1);
+    interpolate_fractions_.set("to_first", 0);
+    interpolate(interpolate_fractions_, 0, points, 2, 1);
 }
 
-void DevicePixels::interpolate(gl::Program& program, const PixelRun& run, std::size_t coefficients,
-                               int channels) {
-    program.set("count", static_cast<int>(run.last - run.first));
-    std::ignore = gl::bind_vertices(list_.points(), 0, 4, run.first, run.last);
+void DevicePixels::interpolate(gl::Program& program, std::size_t first, std::size_t last,
+                               std::size_t coefficients, int channels) {
+    program.set("count", static_cast<int>(last - first));
+    std::ignore = gl::bind_vertices(list_.points(), 0, 4, first, last);
     buffers_->indices()->buffer().bind_storage(1);
-    std::ignore = gl::bind_vertices(*weights_, 2, 2, run.first, run.last);
-    gl::dispatch(program, gl::groups_for(run.last - run.first), static_cast<unsigned>(coefficients),
+    std::ignore = gl::bind_vertices(*weights_, 2, 2, first, last);
+    gl::dispatch(program, gl::groups_for(last - first), static_cast<unsigned>(coefficients),
                  static_cast<unsigned>(channels));
 }
 

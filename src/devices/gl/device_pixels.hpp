@@ -32,7 +32,7 @@ public:
         std::size_t first;
         std::size_t last;
         /// First point of each group in the list, a multiple of gl::kGroupOfVertices. A group's index is
-        /// twice the range's index, plus 1 if a corner is occluded.
+        /// that of its range, plus the number of ranges if a corner is occluded.
         std::vector<std::uint32_t> begin;
         std::vector<std::uint32_t> counts;  ///< number of points of each group
         std::size_t size;                   ///< length of the list
@@ -55,6 +55,7 @@ public:
 
 private:
     void compile(std::span<const glm::dvec2> offsets, bool lit);
+    void upload(std::span<const std::vector<glm::vec4>> local_lights, std::size_t pixels);
     void find_groups();
     void bind_hits(gl::Program& program, std::size_t first, std::size_t last);
     [[nodiscard]] std::vector<std::uint32_t> count(std::size_t pixels);
@@ -71,8 +72,11 @@ private:
     std::optional<gl::Buffer> offsets_;  // offsets of the samples
     Stage<Version, Version> grouping_;   // geometry, visibility
     std::optional<gl::Buffer> groups_;   // groups of the triangles
+    std::optional<gl::Buffer> counts_;
+    std::optional<gl::Buffer> places_;
     std::optional<gl::Buffer> points_;
     std::optional<gl::Buffer> shares_;
+    std::optional<StokesBuffer> lights_;  // local lights of a chunk's pixels
 };
 
 /// Consecutive points of one surface.
@@ -83,21 +87,31 @@ struct PixelRun {
     std::size_t last;
 };
 
+/// Runs whose light is computed together: those that are not occluded, then those that are.
+struct PixelStretch {
+    std::size_t first;     ///< index of the first point, a multiple of gl::kGroupOfVertices
+    std::size_t occluded;  ///< end of the points that are not occluded, or the first one that is
+    std::size_t last;
+    std::vector<PixelRun> runs;  ///< ascending; points between them have any values
+};
+
 /// Shading of the points that pixels show. All members must be called inside run() of the context.
 class DevicePixels {
 public:
     /// image: must outlive the object, and have an image's size before the image is shaded.
     DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImage& image);
 
-    using Shade = std::function<void(const PixelRun&)>;
+    /// Runs that make a stretch together: none, or those of plain materials.
+    enum class Joins { none, plain };
+    using Shade = std::function<void(const PixelStretch&)>;
     using Finish = std::function<void(std::size_t last)>;
-    /// Calls shade(run) until all points are shaded, at most `most` points at once, then finish(last) for
+    /// Calls shade(stretch) until all points are shaded, at most `most` points at once, then finish(last) for
     /// points i < last, which may be more than were shaded. shade() must fill points().stokes. The image is
     /// made from these Stokes vectors, and local lights are added to it.
     /// Returns the number of points. Throws Error(unsupported) for more triangles or vertices than the driver
     /// lets a shader reach.
-    std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, RenderRun& render,
-                      const Shade& shade, const Finish& finish);
+    std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, Joins joins,
+                      RenderRun& render, const Shade& shade, const Finish& finish);
 
     /// Returns the points while shade() runs.
     [[nodiscard]] const DevicePoints& points() const noexcept { return points_; }
@@ -105,21 +119,26 @@ public:
     [[nodiscard]] const gl::Buffer& listed() const { return list_.points(); }
     /// Returns one vec2 per point: the weights of the second and third corner of the point's triangle.
     [[nodiscard]] const gl::Buffer& barycentric() const { return weights_.value(); }
-    /// Returns memory for the light of a run's points, valid until the next call. coefficients: number per
-    /// point and channel.
-    [[nodiscard]] DeviceLight& light(const PixelRun& run, std::size_t coefficients, int channels);
-    /// Interpolates the light of vertices at a run's points. The vertices of a surface may lie in several
-    /// lights. `light` is complete after calls, in ascending order, for all lights that have some of these
-    /// vertices. Other lights change nothing.
-    void interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light);
+    /// Returns memory for the light of points first <= i < last, valid until the next call. coefficients:
+    /// number per point and channel.
+    [[nodiscard]] DeviceLight& light(std::size_t first, std::size_t last, std::size_t coefficients,
+                                     int channels);
+    /// Returns the light of the last call.
+    [[nodiscard]] const DeviceLight& light() const { return light_.value(); }
+    /// Interpolates the light of vertices at the points of `light` from `first` on, a multiple of
+    /// gl::kGroupOfVertices. The vertices of the points' triangles may lie in several lights; `light` is
+    /// complete after calls for all of them. add: whether to add to what an earlier call found.
+    void interpolate(const DeviceLight& vertices, bool add, std::size_t first, DeviceLight& light);
 
 private:
     void release();
     void make_room_for(std::size_t points);
-    void find_surface(const PixelRun& run);
-    void interpolate_fractions(const PixelRun& run);
+    /// Finds the surfaces at the listed points.
+    void find_surfaces(std::size_t points);
+    void interpolate_fractions(std::size_t points);
     // Expects source and result to be bound.
-    void interpolate(gl::Program& program, const PixelRun& run, std::size_t coefficients, int channels);
+    void interpolate(gl::Program& program, std::size_t first, std::size_t last, std::size_t coefficients,
+                     int channels);
 
     std::shared_ptr<gl::Context> context_;
     DevicePixelImage& image_;

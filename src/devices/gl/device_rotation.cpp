@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <numbers>
+#include <utility>
 
 #include "gl/draw.hpp"
 #include "gl/storage.hpp"
@@ -90,24 +91,26 @@ void DeviceRotation::set_light(const PshVector& light) {
                 first.factor * from[first.coefficient] + second.factor * from[second.coefficient]));
         }
     }
+    if (distant_ && numbers == numbers_) return;
+    distant_.reset();
     distant_.emplace(context_, numbers);
+    numbers_ = std::move(numbers);
 }
 
 void DeviceRotation::run(const gl::Buffer& normals, DeviceLight& out) {
-    rotate(normals, false, From::distant, out);
+    rotate(normals, false, out.last(), out);
 }
 
-void DeviceRotation::into_frames(const gl::Buffer& normals, DeviceLight& light) {
-    rotate(normals, false, From::points, light);
+void DeviceRotation::into_frames(const gl::Buffer& normals, std::size_t own, DeviceLight& light) {
+    rotate(normals, false, own, light);
 }
 
 void DeviceRotation::into_world(const gl::Buffer& normals, DeviceLight& light) {
-    rotate(normals, true, From::points, light);
+    rotate(normals, true, light.first(), light);
 }
 
-void DeviceRotation::rotate(const gl::Buffer& normals, bool back, From from, DeviceLight& light) {
+void DeviceRotation::rotate(const gl::Buffer& normals, bool back, std::size_t own, DeviceLight& light) {
     const LightLayout& layout = current_->layout;
-    const bool distant = from == From::distant;
     const std::size_t fields = field_count(layout) * psh_count(layout.order());
     const std::size_t bytes = fields * light.stride() * sizeof(glm::vec2);
     const int most = gl::channels_at_once(*context_, light.channels(), std::max(bytes, light.channel_bytes()),
@@ -120,27 +123,37 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, From from, Dev
     const std::size_t begin = gl::bind_vertices(normals, 1, 3, light.first(), light.last());
     for (gl::Program* program : {&azimuth_, &zenith_}) {
         program->set("first", static_cast<int>(light.first() - begin));
-        program->set("count", static_cast<int>(light.count()));
         program->set("stride", static_cast<int>(light.stride()));
         program->set("fields_step", static_cast<int>(fields * light.stride()));
         program->set("order", layout.order());
         program->set("back", back ? 1 : 0);
     }
-    azimuth_.set("light_step", static_cast<int>(distant ? distant_->step() : light.channel_step()));
-    azimuth_.set("number_step", distant ? 1 : static_cast<int>(light.stride()));
-    azimuth_.set("point_step", distant ? 0 : 1);
+    zenith_.set("count", static_cast<int>(light.count()));
     zenith_.set("light_step", static_cast<int>(light.channel_step()));
     current_->quarter_rotation.bind_storage(0);
     current_->entries.bind_storage(2);
-    gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
-        const auto count = static_cast<unsigned>(channels.count);
+    const auto start = [&](bool distant, std::size_t first, std::size_t last, gl::ChannelGroup channels) {
+        if (first == last) return;
+        azimuth_.set("points", glm::ivec2(first, last));
+        azimuth_.set("light_step", static_cast<int>(distant ? distant_->step() : light.channel_step()));
+        azimuth_.set("number_step", distant ? 1 : static_cast<int>(light.stride()));
+        azimuth_.set("point_step", distant ? 0 : 1);
         if (distant) {
             distant_->bind(3, channels);
         } else {
             light.bind(3, channels);
         }
+        gl::dispatch(azimuth_, gl::groups_for(last - first), static_cast<unsigned>(fields),
+                     static_cast<unsigned>(channels.count));
+    };
+    gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
+        const auto count = static_cast<unsigned>(channels.count);
         work_->bind_storage(4, 0, count * bytes);
-        gl::dispatch(azimuth_, gl::groups_for(light.count()), static_cast<unsigned>(fields), count);
+        {
+            const gl::IndependentDispatches of_points(*context_);
+            start(true, 0, own - light.first(), channels);
+            start(false, own - light.first(), light.count(), channels);
+        }
         work_->bind_storage(3, 0, count * bytes);
         light.bind(4, channels);
         gl::dispatch(zenith_, gl::groups_for(light.count()), current_->entry_count, count);

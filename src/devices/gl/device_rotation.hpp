@@ -28,8 +28,9 @@ public:
     /// Fills `out`, which must have the distant light's channels, with the distant light in the points'
     /// frames.
     void run(const gl::Buffer& normals, DeviceLight& out);
-    /// Rotates each point's own light from the geometry's axes into the point's frame.
-    void into_frames(const gl::Buffer& normals, DeviceLight& light);
+    /// Makes `light` that of the points in their frames: up to point `own` the distant light, from there on
+    /// each point's own, which `light` has in the geometry's axes.
+    void into_frames(const gl::Buffer& normals, std::size_t own, DeviceLight& light);
     /// Rotates each point's own light from the point's frame into the geometry's axes.
     void into_world(const gl::Buffer& normals, DeviceLight& light);
 
@@ -43,15 +44,14 @@ private:
         gl::Buffer entries;
         unsigned entry_count;
     };
-    // Rotates the distant light, or each point's own.
-    enum class From { distant, points };
-    void rotate(const gl::Buffer& normals, bool back, From from, DeviceLight& light);
+    void rotate(const gl::Buffer& normals, bool back, std::size_t own, DeviceLight& light);
 
     std::shared_ptr<gl::Context> context_;
     gl::Program azimuth_;
     gl::Program zenith_;
     std::map<LightKind, Tables> tables_;  // tables of one order
     const Tables* current_ = nullptr;
+    std::vector<std::vector<float>> numbers_;  // of the distant light, by channel
     std::optional<gl::ChannelStorage> distant_;
     std::optional<gl::Buffer> work_;
 };

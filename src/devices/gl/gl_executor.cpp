@@ -140,25 +140,45 @@ void GlExecutor::shade_pixels_by(const Method& method, Device& device, const Pix
         if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
         textures_.prepare(input, buffers_);
-        const auto shade_run = [&](const PixelRun& points) {
-            const bool varies = points.surface.material->variation() != nullptr;
-            if (varies) textures_.find(input, points, *pixels_);
-            device.light_pixels(input, points, *pixels_);
+        const auto shade_layers = [&](const PixelRun& points) {
             std::size_t layer = 0;
             for (const MaterialPtr& material : plain_materials(points.surface.material)) {
-                const DevicePoints& to =
-                    varies ? textures_.layer_points(pixels_->points()) : pixels_->points();
-                device.shade_pixels(material, input, points, *pixels_, shade, to);
+                const DevicePoints& to = textures_.layer_points(pixels_->points());
+                device.shade_pixels(material, points, *pixels_, shade, to);
                 if (input.high_orders != nullptr)
                     high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
-                if (varies) textures_.add(layer++, points, pixels_->points());
+                textures_.add(layer++, points, pixels_->points());
+            }
+        };
+        const auto shade_plain = [&](std::span<const PixelRun> runs) {
+            const DevicePoints& to = pixels_->points();
+            {
+                const gl::IndependentDispatches of_runs(*context_);
+                for (const PixelRun& points : runs)
+                    device.shade_pixels(points.surface.material, points, *pixels_, shade, to);
+            }
+            if (input.high_orders == nullptr) return;
+            const gl::IndependentDispatches of_runs(*context_);
+            for (const PixelRun& points : runs)
+                high_orders_.add(*input.high_orders, points.surface.material, points.first, points.last,
+                                 input, to);
+        };
+        const auto shade_stretch = [&](const PixelStretch& stretch) {
+            const PixelRun& first = stretch.runs.front();
+            const bool varies = first.surface.material->variation() != nullptr;
+            if (varies) textures_.find(input, first, *pixels_);
+            device.light_pixels(input, stretch, *pixels_);
+            if (varies) {
+                shade_layers(first);
+            } else {
+                shade_plain(stretch.runs);
             }
         };
         const auto finish = [&](std::size_t last) {
             if (!input.light_factors.none()) scale(pixels_->points(), 0, last, input.light_factors);
             if (input.physical) make_physical(pixels_->points(), 0, last, input.noise, uncounted_);
         };
-        return pixels_->run(input, buffers_, most, run, shade_run, finish);
+        return pixels_->run(input, buffers_, most, Device::kJoins, run, shade_stretch, finish);
     });
 }
 
