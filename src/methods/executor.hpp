@@ -76,6 +76,11 @@ public:
     /// Returns whether shade_pixels() follows rays from smooth surfaces.
     [[nodiscard]] virtual bool follows_rays() const noexcept = 0;
 
+    /// Returns whether relight() keeps the light in the vertices' frames beside that in the geometry's axes.
+    /// Otherwise each replaces the other.
+    [[nodiscard]] virtual bool keeps_both_lights() const noexcept { return false; }
+    /// Frees the light that relight() keeps for pixels, or for vertices.
+    virtual void forget_light(bool /*at_pixels*/) {}
     /// Relights at least the vertices with current[v] == 0: computes their light times their visibility, in
     /// their own frames, or in the geometry's axes for pixels. Returns the number of relit vertices.
     virtual std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,

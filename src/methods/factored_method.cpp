@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -96,34 +97,43 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
     if (input.at_pixels && !*shadows_) return;  // all points have the same light
     const Stopwatch watch;
     if (input.bounces > 0) bounces_.relight(input, run);
-    if (!relighting_.update(input, executor.version(), input.light_version, bounces_.version(),
-                            input.at_pixels))
-        return;
-    if (relighting_.has_renumbered()) {
-        if (executor.renumber(relighting_.former(), input.at_pixels, run))
-            relighting_.renumbered();
+    KeptLight& kept = input.at_pixels ? of_pixels_ : of_vertices_;
+    KeptLight& other = input.at_pixels ? of_vertices_ : of_pixels_;
+    // A camera may need vertices in one picture and pixels in the next, and back. Relighting takes longer
+    // than either, so both lights are kept while they are of use.
+    const bool limited = run.memory_limit != std::numeric_limits<std::uint64_t>::max();
+    if (limited || other.light != input.light_version || !executor.keeps_both_lights()) {
+        other.relighting.reset();
+        executor.forget_light(!input.at_pixels);
+    }
+    kept.light = input.light_version;
+    auto& relighting = kept.relighting;
+    if (!relighting.update(input, executor.version(), input.light_version, bounces_.version())) return;
+    if (relighting.has_renumbered()) {
+        if (executor.renumber(relighting.former(), input.at_pixels, run))
+            relighting.renumbered();
         else
-            relighting_.discard();
+            relighting.discard();
     }
     double seeing_ms = 0;  // counts as drawing
     if (!input.seen) {
-        run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
-        relighting_.complete();
+        run.statistics.vertices_relit += executor.relight(*this, input, relighting.current(), run);
+        relighting.complete();
     } else {
         // Other vertices are relit when an image shows them.
         const Stopwatch seeing;
         const std::span<const std::uint8_t> seen = input.seen();
         seeing_ms = seeing.milliseconds();
-        find_fresh(seen, relighting_.current(), fresh_);
-        const bool lit = relighting_.any_current() && lit_ == fresh_.size();
+        find_fresh(seen, relighting.current(), fresh_);
+        const bool lit = relighting.any_current() && kept.vertices == fresh_.size();
         if (!lit || std::ranges::find(fresh_, 0) != fresh_.end()) {
             run.statistics.vertices_relit += executor.relight(*this, input, fresh_, run);
             relit_.resize(fresh_.size());
             std::ranges::transform(fresh_, relit_.begin(), [](std::uint8_t one) { return one == 0 ? 1 : 0; });
-            relighting_.complete(relit_);
+            relighting.complete(relit_);
         }
     }
-    lit_ = input.geometry.positions.size();
+    kept.vertices = input.geometry.positions.size();
     run.statistics.relight_ms += watch.milliseconds() - seeing_ms;
 }
 

@@ -53,10 +53,15 @@ private:
     Versioned<std::optional<VisibilityProduct>> shadows_;
     std::size_t baked_ = 0;  // number of vertices of shadows_
     Bounces bounces_;
-    // Inputs: executor, light, bounced light, whether pixels are shaded.
-    VertexStage<Version, Version, Version, bool> relighting_{{.renumbers = true}};
+    // Light that the executor keeps, for vertices or for pixels.
+    struct KeptLight {
+        // Inputs: executor, light, bounced light.
+        VertexStage<Version, Version, Version> relighting{{.renumbers = true}};
+        std::size_t vertices = 0;
+        Version light = 0;
+    };
+    KeptLight of_vertices_, of_pixels_;
     std::vector<std::uint8_t> fresh_, relit_;  // work space of relight(), by vertex
-    std::size_t lit_ = 0;                      // number of vertices that the executor keeps light for
 };
 
 }  // namespace nicol

@@ -70,6 +70,25 @@ IMAGE_TEST_CASE("vertices are relit when an image first shows them") {
     }
 }
 
+IMAGE_TEST_CASE("light stays for pixels while vertices are shaded, and for vertices while pixels are") {
+    const Camera front = camera_at({3, 4, 6}, {0, 0.3, 0});
+    Scene scene = balls_on_floor();
+    Pair render(context);
+    const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), 0.5, glm::dvec3(0, 1, 0)));
+    for (const glm::dmat3& turned : {glm::dmat3(1), rotation}) {
+        scene.set_environment(scene.environment(), turned, 1);
+        CHECK(render(scene, ShadeAt::vertices, front).vertices_relit > 0);
+        CHECK(render(scene, ShadeAt::pixels, front).vertices_relit > 0);
+        CHECK(render(scene, ShadeAt::vertices, front).vertices_relit == 0);
+        CHECK(render(scene, ShadeAt::pixels, front).vertices_relit == 0);
+    }
+    for (const double x : {1.7, 1.4}) {
+        scene.set_transform(2, at(x, -0.4, 1.1, 0.5));
+        render(scene, ShadeAt::pixels, front);
+        render(scene, ShadeAt::vertices, front);
+    }
+}
+
 IMAGE_TEST_CASE("another scale of the environment relights nothing") {
     const EnvironmentPtr light = test::falling_light(5, true, 3);
     const auto brighter = [&](double scale) {

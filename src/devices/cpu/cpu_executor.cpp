@@ -77,7 +77,8 @@ const Device kCpuDevice{
 std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
                                    std::span<const std::uint8_t> current, RenderRun& run) {
     const std::size_t vertices = input.geometry.positions.size();
-    light_.resize(input.layout, input.light.channels(), vertices);
+    VertexLight& light = input.at_pixels ? light_of_pixels_ : light_;
+    light.resize(input.layout, input.light.channels(), vertices);
     const std::span normals(input.geometry.normals);
     const Relight rotation(input.layout, input.light);
     const std::optional<VisibilityProduct>& shadows = *method.shadows();
@@ -90,23 +91,22 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
                                    [](std::uint8_t one) { return one == 0; });
     };
     std::atomic<std::uint64_t> relit = 0;
-    run.workers.for_blocks(light_.blocks(), "relight", run.progress,
-                           [&](std::size_t first, std::size_t last) {
-                               for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
-                                   rotation.run(normals, begin, end, light_);
-                                   if (shadows) shadows->run(light_, begin, end);
-                                   if (back)
-                                       leave_for_pixels(*back, bounces, normals, begin, end, light_);
-                                   else if (bounces != nullptr)
-                                       bounces->add_to(light_, begin, end);
-                                   relit += std::min(end * kLanes, vertices) - begin * kLanes;
-                               });
-                           });
+    run.workers.for_blocks(light.blocks(), "relight", run.progress, [&](std::size_t first, std::size_t last) {
+        for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+            rotation.run(normals, begin, end, light);
+            if (shadows) shadows->run(light, begin, end);
+            if (back)
+                leave_for_pixels(*back, bounces, normals, begin, end, light);
+            else if (bounces != nullptr)
+                bounces->add_to(light, begin, end);
+            relit += std::min(end * kLanes, vertices) - begin * kLanes;
+        });
+    });
     return relit;
 }
 
 bool CpuExecutor::renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) {
-    run.workers.run([&] { light_.renumber(former, at_pixels); });
+    run.workers.run([&] { (at_pixels ? light_of_pixels_ : light_).renumber(former, at_pixels); });
     return true;
 }
 
@@ -201,7 +201,7 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
                                                                    .textures = nullptr,
                                                                    .response = nullptr,
                                                                    .high_orders = nullptr,
-                                                                   .light = &light_,
+                                                                   .light = &light_of_pixels_,
                                                                    .first_row = 0,
                                                                    .rotation = &rotation,
                                                                    .unoccluded = &unoccluded,
@@ -364,7 +364,8 @@ void CpuExecutor::count(Statistics& statistics) const {
     for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
     for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
     for (const auto& channel : pixels_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
-    statistics.transfer_bytes += light_.bytes() + fractions_.size() * sizeof(glm::vec2);
+    statistics.transfer_bytes +=
+        light_.bytes() + light_of_pixels_.bytes() + fractions_.size() * sizeof(glm::vec2);
 }
 
 }  // namespace nicol

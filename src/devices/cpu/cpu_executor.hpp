@@ -22,6 +22,8 @@ public:
     [[nodiscard]] bool reads_hits_on_host() const noexcept override { return true; }
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     [[nodiscard]] bool follows_rays() const noexcept override { return true; }
+    [[nodiscard]] bool keeps_both_lights() const noexcept override { return true; }
+    void forget_light(bool at_pixels) override { (at_pixels ? light_of_pixels_ : light_) = {}; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     bool renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) override;
@@ -49,7 +51,8 @@ private:
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
     void run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run);
 
-    VertexLight light_;                  // light for the factored method
+    // Light for the factored method, in the vertices' frames and as rows in the geometry's axes.
+    VertexLight light_, light_of_pixels_;
     std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run
     VertexStokes stokes_;
     std::uint64_t moved_ = 0;                     // vectors that make_physical() moved since finish()
