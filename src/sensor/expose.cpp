@@ -15,6 +15,7 @@
 #include "arguments.hpp"
 #include "sensor/lens.hpp"
 #include "sensor/noise.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
@@ -69,6 +70,8 @@ public:
                                                            : behind_polarizer(angle, {1, 0}, across_);
     }
 
+    /// Returns whether polarizers of one angle differ from pixel to pixel.
+    [[nodiscard]] bool differ() const { return differ_; }
     [[nodiscard]] Stokes at(int x, int y, std::uint32_t pixel) const {
         const std::size_t angle = angle_at(x, y);
         if (sensor_.mosaic == Mosaic::plain || !differ_) return exact_[angle];
@@ -99,9 +102,25 @@ private:
 
     const Sensor& sensor_;
     double across_;
-    bool differ_;  ///< whether polarizers of one angle differ from pixel to pixel
+    bool differ_;
     std::array<Stokes, 4> exact_;
 };
+
+/// Analysers of consecutive pixels, by component.
+using LaneAnalysers = std::array<NoiseLanes, 4>;
+
+/// Adds the electrons from the Stokes vectors of consecutive pixels in one channel. electrons: for s0 = 1
+/// behind the polarizer.
+[[gnu::always_inline]] inline void add_electrons(const float* stokes, const LaneAnalysers& analysers,
+                                                 const NoiseLanes& electrons, NoiseLanes& sum) {
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+        const float* const s = stokes + 4 * i;
+        const double behind =
+            analysers[0][i] * static_cast<double>(s[0]) + analysers[1][i] * static_cast<double>(s[1]) +
+            analysers[2][i] * static_cast<double>(s[2]) + analysers[3][i] * static_cast<double>(s[3]);
+        sum[i] += std::min(std::max(electrons[i] * behind, 0.0), kMostElectrons);
+    }
+}
 
 /// Mean electrons of a sensor's pixels from light, before crosstalk.
 class LitElectrons {
@@ -112,21 +131,49 @@ public:
             electrons_.push_back(electrons_of(sensor, c));
     }
 
-    [[nodiscard]] double at(int x, int y, std::size_t pixel) const {
-        const Stokes analyser = analysers_.at(x, y, static_cast<std::uint32_t>(pixel));
-        if (coloured_) return of_channel(colour_at(x, y), pixel, analyser);
-        double sum = 0;
-        for (std::size_t c = 0; c < electrons_.size(); ++c) sum += of_channel(c, pixel, analyser);
-        return sum / light_.channels;
+    /// Sets the electrons of a row of pixels.
+    void find_row(int y, std::span<double> out) const {
+        const std::vector<NoiseLanes> electrons = electrons_of_row(y);
+        const double share = coloured_ ? 1 : light_.channels;
+        const auto width = static_cast<std::size_t>(light_.width);
+        const std::size_t plane = width * static_cast<std::size_t>(light_.height);
+        const std::size_t row = width * static_cast<std::size_t>(y);
+        LaneAnalysers analysers{};
+        std::array<float, 4 * kNoiseLanes> last{};
+        for (std::size_t begin = 0; begin < width; begin += kNoiseLanes) {
+            const std::size_t count = std::min(kNoiseLanes, width - begin);
+            if (begin == 0 || analysers_.differ()) find_analysers(begin, y, count, analysers);
+            NoiseLanes sum{};
+            for (std::size_t c = 0; c < electrons.size(); ++c) {
+                const float* stokes = &light_.data[4 * (c * plane + row + begin)];
+                if (count < kNoiseLanes) {
+                    std::copy_n(stokes, 4 * count, last.begin());
+                    stokes = last.data();
+                }
+                dispatch<add_electrons>(stokes, analysers, electrons[c], sum);
+            }
+            for (std::size_t i = 0; i < count; ++i) out[begin + i] = sum[i] / share;
+        }
     }
 
 private:
-    [[nodiscard]] double of_channel(std::size_t channel, std::size_t pixel, const Stokes& analyser) const {
-        const auto plane = static_cast<std::size_t>(light_.width) * static_cast<std::size_t>(light_.height);
-        const float* const s = &light_.data[4 * (channel * plane + pixel)];
-        double sum = 0;
-        for (int p = 0; p < 4; ++p) sum += analyser[p] * static_cast<double>(s[p]);
-        return std::clamp(electrons_[channel] * sum, 0.0, kMostElectrons);
+    /// Returns the electrons of sixteen pixels of a row by channel, which repeat along the row: 0 behind the
+    /// filter of another colour.
+    [[nodiscard]] std::vector<NoiseLanes> electrons_of_row(int y) const {
+        std::vector<NoiseLanes> out(electrons_.size());
+        for (std::size_t c = 0; c < out.size(); ++c)
+            for (std::size_t i = 0; i < kNoiseLanes; ++i)
+                out[c][i] = !coloured_ || colour_at(static_cast<int>(i), y) == c ? electrons_[c] : 0;
+        return out;
+    }
+    void find_analysers(std::size_t begin, int y, std::size_t count, LaneAnalysers& out) const {
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(light_.width) + begin;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Stokes analyser =
+                analysers_.at(static_cast<int>(begin + i), y, static_cast<std::uint32_t>(pixel + i));
+            for (std::size_t p = 0; p < 4; ++p) out[p][i] = analyser[static_cast<glm::length_t>(p)];
+        }
     }
 
     const StokesImage& light_;
@@ -148,12 +195,9 @@ public:
         std::atomic<bool> finite = true;
         tbb::parallel_for(0, height_, [&](int y) {
             if (!finite_row(light, y)) finite = false;
-            for (int x = 0; x < width_; ++x) {
-                const std::size_t i = index(x, y);
-                values_[i] = lit.at(x, y, i);
-                if (crosstalk_)
-                    given_[i] = crosstalk_of(sensor, static_cast<std::uint32_t>(i)) / 4 * values_[i];
-            }
+            lit.find_row(y, std::span(values_).subspan(index(0, y), static_cast<std::size_t>(width_)));
+            for (std::size_t i = index(0, y); crosstalk_ && i < index(0, y + 1); ++i)
+                given_[i] = crosstalk_of(sensor, static_cast<std::uint32_t>(i)) / 4 * values_[i];
         });
         if (!finite) refuse_infinite_light(light);
     }
@@ -183,6 +227,22 @@ private:
     std::vector<double> given_;  ///< electrons that a pixel gives to each of its four neighbours
 };
 
+/// Numbers of a sensor by electrons: the parameters of the formula of Sensor.
+struct Curve {
+    double full_well, read_noise, gain, black_level, largest;
+};
+
+/// Replaces electrons by numbers.
+[[gnu::always_inline]] inline void digitize(const Curve& curve, const NoiseLanes& read_noise,
+                                            const NoiseLanes& offset, NoiseLanes& electrons) {
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+        const double kept = std::min(electrons[i], curve.full_well);
+        const double number = std::floor(curve.gain * (kept + curve.read_noise * read_noise[i] + offset[i]) +
+                                         curve.black_level + 0.5);
+        electrons[i] = std::min(std::max(number, 0.0), curve.largest);
+    }
+}
+
 /// Numbers of pixels by their mean electrons.
 class Numbers {
 public:
@@ -190,8 +250,11 @@ public:
         : sensor_(sensor),
           frame_(frame),
           dark_(sensor.dark_current * sensor.exposure_time),
-          gain_(gain_of(sensor)),
-          largest_(largest_number(sensor)) {}
+          curve_{.full_well = sensor.full_well,
+                 .read_noise = sensor.read_noise,
+                 .gain = gain_of(sensor),
+                 .black_level = sensor.black_level,
+                 .largest = largest_number(sensor)} {}
 
     /// Sets the numbers of the pixels from `pixel` on, at most kNoiseLanes, from their means, which change.
     void write(NoiseLanes& mean, std::uint32_t pixel, std::span<std::uint16_t> numbers) const {
@@ -209,20 +272,15 @@ public:
         uniform_pairs(sensor_.seed, frame_, pixel, NoiseOf::exposure, first, second);
         if (sensor_.shot_noise) to_poisson(first, mean);
         if (sensor_.read_noise > 0) to_normal(second);
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const double electrons = std::min(mean[i], sensor_.full_well);
-            const double read = sensor_.read_noise > 0 ? sensor_.read_noise * second[i] : 0;
-            const double number =
-                std::floor(gain_ * (electrons + read + offset[i]) + sensor_.black_level + 0.5);
-            numbers[i] = static_cast<std::uint16_t>(std::clamp(number, 0.0, largest_));
-        }
+        dispatch<digitize>(curve_, second, offset, mean);
+        for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint16_t>(mean[i]);
     }
 
 private:
     const Sensor& sensor_;
     std::uint64_t frame_;
     double dark_;  ///< mean electrons without light
-    double gain_, largest_;
+    Curve curve_;
 };
 
 }  // namespace

@@ -2,9 +2,11 @@
 #include "sensor/noise.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "simd/dispatch.hpp"
 
@@ -13,7 +15,7 @@ namespace {
 
 // Formulas that functions of one number and of lanes share, so that both give the same bits.
 
-/// Distance from 1/2 up to which central_normal_quantile() holds.
+/// Distance from 1/2 up to which the central formula of the normal quantile holds.
 constexpr double kCentralQuantile = 0.425;
 /// Mean from which on large_poisson_quantile() holds.
 constexpr double kLargeMean = 30;
@@ -39,12 +41,8 @@ constexpr std::uint32_t kPhiloxStepB = 0xBB67AE85;
     return (static_cast<double>(static_cast<std::int64_t>(whole)) + 0.5) * 0x1p-52;
 }
 
-/// Returns the normal quantile of 1/2 + q.
-[[gnu::always_inline]] inline double central_normal_quantile(double q) {
-    const double r = 0.180625 - q * q;
-    return q * (((5.9109374720e1 * r + 1.5929113202e2) * r + 5.0434271938e1) * r + 3.3871327179) /
-           (((6.7187563600e1 * r + 7.8757757664e1) * r + 1.7895169469e1) * r + 1);
-}
+/// Smallest distance from 0 and 1 at which near_normal_quantile() holds: a little more than exp(-25).
+constexpr double kNearQuantile = 1.4e-11;
 
 /// Returns Poisson's quantile by the normal quantile w of the same number.
 [[gnu::always_inline]] inline double large_poisson_quantile(double w, double mean) {
@@ -61,16 +59,48 @@ constexpr std::array<double, 16> kInverseOddNumbers = [] {
     return inverse;
 }();
 
-/// Returns the natural logarithm of x > 0: x = m 2^e with m in [1/2, 1), and ln m = 2 artanh((m - 1) / (m +
-/// 1)).
-double logarithm(double x) {
-    int exponent = 0;
-    const double mantissa = std::frexp(x, &exponent);
-    const double ratio = (mantissa - 1) / (mantissa + 1);
+/// Returns the sum of the powers of x, times the inverse odd numbers. Without a loop, because compilers do
+/// not vectorise a loop of loops.
+template <std::size_t... i>
+[[gnu::always_inline]] inline double odd_series(double x, std::index_sequence<i...>) {
     double sum = 0;
-    for (std::size_t i = kInverseOddNumbers.size(); i-- > 0;)
-        sum = kInverseOddNumbers[i] + ratio * ratio * sum;
+    ((sum = kInverseOddNumbers[sizeof...(i) - 1 - i] + x * sum), ...);
+    return sum;
+}
+
+/// Returns the natural logarithm of a normal number x > 0: x = m 2^e with m in [1/2, 1), and ln m = 2
+/// artanh((m - 1) / (m + 1)).
+[[gnu::always_inline]] inline double logarithm(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto exponent = static_cast<std::int32_t>(bits >> 52) - 1022;
+    const auto mantissa = std::bit_cast<double>((bits & 0x000FFFFFFFFFFFFF) | 0x3FE0000000000000);
+    const double ratio = (mantissa - 1) / (mantissa + 1);
+    const double sum = odd_series(ratio * ratio, std::make_index_sequence<kInverseOddNumbers.size()>());
     return exponent * std::numbers::ln2 + 2 * ratio * sum;
+}
+
+/// Returns the normal quantile of u, at least kNearQuantile from 0 and 1. Both of its formulas are quotients,
+/// and one division serves both.
+[[gnu::always_inline]] inline double near_normal_quantile(double u) {
+    const double q = u - 0.5;
+    const bool central = std::abs(q) <= kCentralQuantile;
+    const double c = 0.180625 - q * q;
+    const double r = std::sqrt(-logarithm(std::min(u, 1 - u))) - 1.6;
+    const double above =
+        central ? q * (((5.9109374720e1 * c + 1.5929113202e2) * c + 5.0434271938e1) * c + 3.3871327179)
+                : ((1.7023821103e-1 * r + 1.3067284816) * r + 2.7568153900) * r + 1.4234372777;
+    const double below = central ? ((6.7187563600e1 * c + 7.8757757664e1) * c + 1.7895169469e1) * c + 1
+                                 : (1.2021132975e-1 * r + 7.3700164250e-1) * r + 1;
+    const double z = above / below;
+    return !central && q < 0 ? -z : z;
+}
+
+/// Returns the normal quantile of u nearer to 0 or 1 than kNearQuantile.
+double far_normal_quantile(double u) {
+    const double r = std::sqrt(-logarithm(std::min(u, 1 - u))) - 5;
+    const double z = (((1.7337203997e-2 * r + 4.2868294337e-1) * r + 3.0812263860) * r + 6.6579051150) /
+                     ((1.2258202635e-2 * r + 2.4197894225e-1) * r + 1);
+    return u < 0.5 ? -z : z;
 }
 
 /// Returns the quantile by summing the probabilities of 0, 1, 2 ... For means up to 30 their sum exceeds 1 -
@@ -118,20 +148,7 @@ std::array<double, 2> uniform_pair(std::uint64_t seed, std::uint64_t frame, std:
 }
 
 double normal_quantile(double u) {
-    const double q = u - 0.5;
-    if (std::abs(q) <= kCentralQuantile) return central_normal_quantile(q);
-    double r = std::sqrt(-logarithm(std::min(u, 1 - u)));
-    double z = 0;
-    if (r <= 5) {
-        r -= 1.6;
-        z = (((1.7023821103e-1 * r + 1.3067284816) * r + 2.7568153900) * r + 1.4234372777) /
-            ((1.2021132975e-1 * r + 7.3700164250e-1) * r + 1);
-    } else {
-        r -= 5;
-        z = (((1.7337203997e-2 * r + 4.2868294337e-1) * r + 3.0812263860) * r + 6.6579051150) /
-            ((1.2258202635e-2 * r + 2.4197894225e-1) * r + 1);
-    }
-    return q < 0 ? -z : z;
+    return std::min(u, 1 - u) < kNearQuantile ? far_normal_quantile(u) : near_normal_quantile(u);
 }
 
 double poisson_quantile(double u, double mean) {
@@ -177,7 +194,7 @@ using Words = std::array<std::uint32_t, kNoiseLanes>;
 }
 
 [[gnu::always_inline]] inline void quantiles(const NoiseLanes& u, NoiseLanes& out) {
-    for (std::size_t i = 0; i < kNoiseLanes; ++i) out[i] = central_normal_quantile(u[i] - 0.5);
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) out[i] = near_normal_quantile(u[i]);
 }
 
 [[gnu::always_inline]] inline void large_poisson(const NoiseLanes& w, NoiseLanes& mean) {
@@ -195,7 +212,7 @@ void to_normal(NoiseLanes& u) {
     const NoiseLanes given = u;
     dispatch<quantiles>(given, u);
     for (std::size_t i = 0; i < kNoiseLanes; ++i)
-        if (std::abs(given[i] - 0.5) > kCentralQuantile) u[i] = normal_quantile(given[i]);
+        if (std::min(given[i], 1 - given[i]) < kNearQuantile) u[i] = far_normal_quantile(given[i]);
 }
 
 void to_poisson(const NoiseLanes& u, NoiseLanes& mean) {
