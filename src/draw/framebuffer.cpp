@@ -150,20 +150,20 @@ Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, std::span<const u
 }
 
 const StokesImage& Framebuffer::image() {
-    if (!image_) {
+    if (!has_image_) {
         const Stopwatch watch;
-        StokesImage image(width_, height_, channels_);
-        const std::size_t plane = image.data.size() / static_cast<std::size_t>(channels_);
+        if (image_.data.empty()) image_ = StokesImage(width_, height_, channels_);
+        const std::size_t plane = image_.data.size() / static_cast<std::size_t>(channels_);
         context_->run([&] {
             for (int c = 0; c < channels_; ++c) {
                 groups_[static_cast<std::size_t>(c / kGroup)].read(
-                    c % kGroup, std::span(image.data).subspan(static_cast<std::size_t>(c) * plane, plane));
+                    c % kGroup, std::span(image_.data).subspan(static_cast<std::size_t>(c) * plane, plane));
             }
         });
-        image_ = std::move(image);
+        has_image_ = true;
         statistics_.observe_ms += watch.milliseconds();
     }
-    return *image_;
+    return image_;
 }
 
 const Aovs& Framebuffer::aovs() {
@@ -223,6 +223,7 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
     });
     new_content(statistics);
     image_ = std::move(image);
+    has_image_ = true;
     drew_aovs(aovs.mask(), 0, nullptr);
     aovs_ = std::move(aovs);
 }
@@ -230,6 +231,7 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
 void Framebuffer::exchange(Framebuffer& other) {
     std::swap(groups_, other.groups_);
     std::swap(image_, other.image_);
+    std::swap(has_image_, other.has_image_);
     std::swap(aov_mask_, other.aov_mask_);
     std::swap(aovs_drawn_, other.aovs_drawn_);
     std::swap(aov_attachments_, other.aov_attachments_);
@@ -240,7 +242,7 @@ void Framebuffer::exchange(Framebuffer& other) {
 
 void Framebuffer::rendered(const Statistics& statistics) {
     new_content(statistics);
-    image_.reset();
+    has_image_ = false;
 }
 
 void Framebuffer::new_content(const Statistics& statistics) {

@@ -91,7 +91,9 @@ private:
     int channels_;
     bool borrows_ = false;
     std::vector<gl::RenderTarget> groups_;
-    std::optional<StokesImage> image_;
+    // Keeps its memory from one content to the next, because new pages take longer than the pixels.
+    StokesImage image_;
+    bool has_image_ = false;
     std::uint32_t aov_mask_ = 0;
     std::uint32_t aovs_drawn_ = 0;
     std::shared_ptr<gl::RenderTarget> aov_attachments_;  // attachments of aovs_drawn_; null: not drawn
