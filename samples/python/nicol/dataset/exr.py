@@ -81,10 +81,13 @@ def colours(count):
 
 def stokes_planes(stokes):
     """Returns the channels of a Stokes image (height, width, channels, 4), as nicol_framebuffer_write_exr names them."""
+    height, width, count, _ = stokes.shape
+    # The rows of all channels at once, because each row by itself takes twice as long.
+    rows = numpy.ascontiguousarray(stokes.reshape(height, width, 4 * count).transpose(0, 2, 1))
     planes = {}
-    for c, colour in enumerate(colours(stokes.shape[2])):
+    for c, colour in enumerate(colours(count)):
         for p in range(4):
-            planes[f"S{p}.{colour}"] = stokes[:, :, c, p]
-        if stokes.shape[2] in (1, 3):
-            planes[colour] = stokes[:, :, c, 0]
+            planes[f"S{p}.{colour}"] = rows[:, 4 * c + p]
+        if count in (1, 3):
+            planes[colour] = rows[:, 4 * c]
     return planes

@@ -34,7 +34,7 @@ class Dataset:
         if channels not in framebuffers:
             framebuffers[channels] = renderer.framebuffer(frame)
         picture = renderer.render(frame, self.names, framebuffers[channels])
-        renderer.sense(picture, self.names)
+        renderer.read(picture, self.names)
         return {name: picture.arrays[name] for name in self.names} | {"frame": frame}
 
     def __iter__(self):

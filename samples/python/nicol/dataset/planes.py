@@ -111,7 +111,9 @@ def exposure_of(recipe, draw, light):
     drawn = recipe.parts["exposure"].at(draw)
     if not isinstance(drawn, dict):
         return float(drawn)
-    s0 = light[..., 0] if isinstance(light, numpy.ndarray) else light.plane(nicol.PLANE_S0, nicol.ALL_CHANNELS)
-    s0 = numpy.moveaxis(s0, -1, 0)
+    if isinstance(light, numpy.ndarray):
+        s0 = numpy.moveaxis(light[..., 0], -1, 0)
+    else:
+        s0 = [light.plane(nicol.PLANE_S0, channel) for channel in range(light.get_size()[2])]
     bright = float(numpy.percentile(sum(s0), drawn["percentile"], overwrite_input=True)) / len(s0)
     return float(drawn.get("level", 0.8)) / bright if bright > 0 else 1.0

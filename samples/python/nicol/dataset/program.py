@@ -45,19 +45,22 @@ def _parser():
 
 
 class _Writer:
-    """Writes pictures on threads of its own, while others are rendered."""
+    """Renders pictures, and reads and writes them on threads of its own while the next are rendered."""
 
     def __init__(self, renderer, folder):
         self.renderer, self.folder, self.wanted = renderer, folder, renderer.recipe.write
+        self.half = ("stokes",) if self.wanted.get("stokes", {}).get("half") else ()
         self.pool = concurrent.futures.ThreadPoolExecutor(_AT_ONCE - 1)
         self.begun, self.free = collections.deque(), collections.defaultdict(list)
 
-    def framebuffer(self, frame):
+    def _framebuffer(self, frame):
         """Returns a framebuffer that nothing uses any more."""
         free = self.free[self.renderer.channels(frame)]
         return free.pop() if free else self.renderer.framebuffer(frame)
 
-    def add(self, picture, framebuffer):
+    def add(self, frame):
+        framebuffer = self._framebuffer(frame)
+        picture = self.renderer.render(frame, tuple(self.wanted), framebuffer, self.half)
         self.begun.append((self.pool.submit(self._write, picture, framebuffer), framebuffer))
         if len(self.begun) >= _AT_ONCE:
             self._end_first()
@@ -75,7 +78,7 @@ class _Writer:
         self.free[framebuffer.get_size()[2]].append(framebuffer)
 
     def _write(self, picture, framebuffer):
-        self.renderer.sense(picture, self.wanted)
+        self.renderer.read(picture, self.wanted, self.half)
         if self.folder is None:
             return
         place = self.folder.begin(picture.facts["frame"])
@@ -86,12 +89,10 @@ class _Writer:
 
 def render(renderer, folder, frames):
     """Renders frames and writes them into a folder, if there is one; returns how many."""
-    writer, write = _Writer(renderer, folder), renderer.recipe.write
-    half = ("stokes",) if write.get("stokes", {}).get("half") else ()
+    writer = _Writer(renderer, folder)
     try:
         for frame in frames:
-            framebuffer = writer.framebuffer(frame)
-            writer.add(renderer.render(frame, tuple(write), framebuffer, half), framebuffer)
+            writer.add(frame)
         writer.finish()
     finally:
         writer.close()

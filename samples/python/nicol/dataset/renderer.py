@@ -13,7 +13,8 @@ from .values import RecipeError
 
 
 class Picture:
-    """A frame: what frame.json says about it, its arrays by name, and the light that falls on a sensor."""
+    """A frame: what frame.json says about it, its arrays by name, and the light that falls on a sensor: a framebuffer, or an
+    array. The arrays of a framebuffer are None until Renderer.read()."""
 
     def __init__(self, facts, arrays, light):
         self.facts, self.arrays, self.light = facts, arrays, light
@@ -45,7 +46,8 @@ class Renderer:
         return nicol.Framebuffer.create(self.context, *size, self.channels(frame))
 
     def render(self, frame, names, framebuffer, half=()):
-        """Renders a frame and returns the picture with the arrays of these names that planes.read() has."""
+        """Renders a frame for read(), which any thread may call while the next frame is rendered into another framebuffer.
+        names: the arrays that read() shall give. half: may name stokes, which then has 16-bit floats."""
         recipe = self.recipe
         scene, draw = recipe.scene_of(frame), recipe.frame_draw(frame)
         stage = self.stages(scene)
@@ -54,7 +56,7 @@ class Renderer:
         camera = cameras.camera(recipe, stage, frame)
         self.options.seed = draw.bits("render")
         self.options.aovs = planes.aovs(names)
-        pose, light = cameras.pose(recipe, stage, camera), framebuffer
+        pose, light, arrays = cameras.pose(recipe, stage, camera), framebuffer, None
         try:
             if recipe.lens:
                 K, through = self.lenses(camera.fov)
@@ -63,22 +65,22 @@ class Renderer:
                 arrays, light = planes.through_lens(shown, names, pose["R"], half), shown["stokes"]
             else:
                 nicol.render(stage.scene, camera, self.options, framebuffer)
-                arrays = planes.read(framebuffer, names, pose["R"], half)
         except (nicol.Error, ValueError) as error:
             raise RecipeError(f"{recipe.source.name}: frame {frame}: {error}") from None
         facts = {"frame": frame, "scene": scene, "size": [recipe.width, recipe.height], "camera": pose}
         facts["bounds"] = [stage.lower.tolist(), stage.upper.tolist()]
         facts["drawn"] = self._drawn(scene, frame)
-        if any(name in planes.SENSED for name in names):
-            facts["exposure"] = planes.exposure_of(recipe, draw, light)
         return Picture(facts, arrays, light)
 
-    def sense(self, picture, names):
-        """Adds the arrays of the sensor to a picture, whose render must be its framebuffer's last."""
+    def read(self, picture, names, half=()):
+        """Sets the arrays of a picture of render(), which must be its framebuffer's last."""
+        facts, light = picture.facts, picture.light
+        if picture.arrays is None:
+            picture.arrays = planes.read(light, names, facts["camera"]["R"], half)
         if any(name in planes.SENSED for name in names):
-            facts = picture.facts
-            sensed = planes.sense(self.sensor, picture.light, names, facts["frame"], facts["exposure"])
-            picture.arrays |= sensed
+            draw = self.recipe.frame_draw(facts["frame"])
+            facts["exposure"] = planes.exposure_of(self.recipe, draw, light)
+            picture.arrays |= planes.sense(self.sensor, light, names, facts["frame"], facts["exposure"])
 
     def _drawn(self, scene, frame):
         shared = self.recipe.scene_draw(scene)
