@@ -130,5 +130,43 @@ class ConventionsTest(unittest.TestCase):
         self.assertGreater(abs(conventions.wrapped(conventions.aolp(stokes) - expected)).max(), 0.4)
 
 
+class RimTest(unittest.TestCase):
+    """A dielectric ball in light from everywhere, as the raw numbers of a polarization camera show it. What its surface reflects
+    is polarized along the rim, and what comes out of its body across the rim, whatever a program calls these angles."""
+
+    MIDDLE, RADIUS = 64, 64 / (11 * math.tan(math.radians(6)))  # of the ball, pixels
+
+    def raw(self, **plastic):
+        """Returns the numbers of a sensor with Sony's mosaic, 90 45 / 135 0."""
+        with nicol.Context.create() as context:
+            scene = nicol.Scene.create(context)
+            scene.set_environment(nicol.Environment.create_constant(context, [1.0]), None, 1.0)
+            material = nicol.Material.create_pplastic(context, nicol.Pplastic(alpha=0.1, **plastic))
+            scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
+            framebuffer = nicol.Framebuffer.create(context, 2 * self.MIDDLE, 2 * self.MIDDLE, scene.get_channels())
+            nicol.render(scene, nicol.Camera(fov=12).look_at((0, 0, 11), (0, 0, 0), (0, 1, 0)), None, framebuffer)
+            return numpy.asarray(nicol.Sensor(shot_noise=0, read_noise=0).capture(framebuffer))
+
+    def brightest(self, raw, degrees):
+        """Returns the angle of the polarizers whose pixels are brightest at a place near the rim, degrees counter-clockwise from
+        the right of the ball's middle."""
+        angle = math.radians(degrees)
+        column = self.MIDDLE + 0.88 * self.RADIUS * math.cos(angle)
+        row = self.MIDDLE - 0.88 * self.RADIUS * math.sin(angle)
+        row, column = (int(at) // 2 * 2 - 2 for at in (row, column))
+        cell = raw[row : row + 6, column : column + 6].reshape(3, 2, 3, 2).mean(axis=(0, 2))
+        return (90, 45, 135, 0)[int(cell.argmax())]
+
+    def test_reflected_light_is_polarized_along_the_rim(self):
+        raw = self.raw(diffuse_reflectance=0)
+        for degrees in range(0, 360, 45):
+            self.assertEqual(self.brightest(raw, degrees), (degrees + 90) % 180)
+
+    def test_light_from_the_body_is_polarized_across_the_rim(self):
+        raw = self.raw(diffuse_reflectance=0.8, specular_reflectance=0)
+        for degrees in range(0, 360, 45):
+            self.assertEqual(self.brightest(raw, degrees), degrees % 180)
+
+
 if __name__ == "__main__":
     unittest.main()

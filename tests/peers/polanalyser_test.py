@@ -73,6 +73,25 @@ class PolanalyserTest(unittest.TestCase):
         self.assertLess(numpy.median(error), 0.005)
         self.assertLess(error.mean(), 1.2 * own.mean())
 
+    def test_rim_of_a_dielectric_ball(self):
+        """By polanalyser, the raw numbers of a camera show what a black ball reflects as polarized along its rim."""
+        with nicol.Context.create() as context:
+            scene = nicol.Scene.create(context)
+            scene.set_environment(nicol.Environment.create_constant(context, [1.0]), None, 1.0)
+            black = nicol.Material.create_pplastic(context, nicol.Pplastic(alpha=0.1, diffuse_reflectance=0))
+            scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=black))
+            framebuffer = nicol.Framebuffer.create(context, 128, 128, 1)
+            nicol.render(scene, nicol.Camera(fov=12).look_at((0, 0, 11), (0, 0, 0), (0, 1, 0)), None, framebuffer)
+            raw = nicol.Sensor(bits=16, shot_noise=0, read_noise=0).capture(framebuffer)
+        pictures = polanalyser.demosaicing(numpy.asarray(raw), polanalyser.COLOR_PolarMono)
+        aolp = polanalyser.cvtStokesToAoLP(polanalyser.calcStokes(pictures, numpy.radians([0, 45, 90, 135])))
+        row, column = numpy.indices(aolp.shape) + 0.5 - 64
+        ring = abs(numpy.hypot(row, column) - 0.8 * 64 / (11 * numpy.tan(numpy.radians(6)))) < 3
+        off = conventions.wrapped(aolp - numpy.arctan2(-row, column) - numpy.pi / 2)[ring]
+        self.assertGreater(ring.sum(), 500)
+        self.assertLess(numpy.degrees(numpy.median(abs(off))), 2)
+        self.assertLess(numpy.degrees(abs(off)).max(), 20)
+
     def test_image_file(self):
         with tempfile.TemporaryDirectory() as folder:
             self.framebuffer.write_exr(folder + "/image.exr")
