@@ -8,6 +8,7 @@ usage: rates.py [--frames N] [--nodes | --memory]"""
 import argparse
 import os
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -54,10 +55,12 @@ def compare_nodes(count):
     cores = sorted(os.sched_getaffinity(0))[:2]
     if len(cores) < 2:
         sys.exit("two nodes need two cores")
-    one, two = nodes(cores[:1], count), nodes(cores, count)
+    # In turn, because other programs of the machine then disturb both in the same way.
+    rounds = [(nodes([core], count), nodes(cores, count)) for core in (*cores, *cores)]
+    one, two = (tuple(statistics.median(part) for part in zip(*half)) for half in zip(*rounds))
     print(f"one node of one core  {one[0]:7,.0f} a minute {one[1]:7,.0f} a minute of processor time")
-    print(f"two nodes             {two[0]:7,.0f} a minute {two[1]:7,.0f} a minute of processor time on each")
-    print(f"two nodes over twice one node: {two[0] / one[0] / 2:.2f}, by processor time {two[1] / one[1] / 2:.2f}")
+    print(f"two nodes             {two[0]:7,.0f} a minute {two[1]:7,.0f} a minute of processor time on both")
+    print(f"two nodes over twice one node: {two[0] / one[0] / 2:.2f}, by processor time {two[1] / one[1] / 2:.2f}; medians of {len(rounds)}")
 
 
 def resident():
