@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -101,8 +100,7 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
     KeptLight& other = input.at_pixels ? of_vertices_ : of_pixels_;
     // A camera may need vertices in one picture and pixels in the next, and back. Relighting takes longer
     // than either, so both lights are kept while they are of use.
-    const bool limited = run.memory_limit != std::numeric_limits<std::uint64_t>::max();
-    if (limited || other.light != input.light_version || !executor.keeps_both_lights()) {
+    if (run.saves_memory || other.light != input.light_version || !executor.keeps_both_lights()) {
         other.relighting.reset();
         executor.forget_light(!input.at_pixels);
     }

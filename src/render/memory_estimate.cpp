@@ -189,7 +189,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {
     vertices_ = size_of(scene).vertices;
-    if (bytes_ == kNone && !share_.monitored()) return;
+    if (!saves()) return;
     image_ = image_memory(scene, options, width, height);
     checking_.run(
         scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options), options.method,

@@ -58,6 +58,9 @@ public:
     /// Tells the monitor that what is kept has taken the place of the estimate.
     void settle() noexcept { share_.settle(kept_); }
 
+    /// Returns whether there is a limit or a monitor.
+    [[nodiscard]] bool saves() const noexcept { return bytes_ != kNone || share_.monitored(); }
+
     /// Returns the number of bytes that the last checked image leaves to the scene.
     [[nodiscard]] std::uint64_t for_scene() const noexcept {
         return bytes_ == kNone ? kNone : bytes_ - image_;

@@ -352,7 +352,8 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,
-                  .memory_limit = memory_limit_.for_scene()};
+                  .memory_limit = memory_limit_.for_scene(),
+                  .saves_memory = memory_limit_.saves()};
     const auto draw_hits = [&](VisibilityBuffer::Kept kept) {
         find_hits(projection, options, kept, {target.width(), target.height(), target.channels()},
                   statistics);

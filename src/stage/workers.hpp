@@ -67,6 +67,8 @@ struct RenderRun {
     Statistics& statistics;
     /// Largest number of bytes that a scene may take, if orders are chosen.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
+    /// Whether memory is limited or watched, so that no more may be kept than the estimate says.
+    bool saves_memory = false;
     LightingTally lighting{};  ///< of local lights and sampled terms
     LightingTally followed{};  ///< of the light that rays find for lobes
 
