@@ -24,6 +24,11 @@ constexpr std::size_t kMostNeighbours = 8;
 // Directions, half of them below the horizon, whose rays are traced although the neighbours agree. If they
 // err in a part f of the directions, about exp(-32 f) of such vertices pass.
 constexpr std::size_t kFewestChecks = 64;
+// Number of bundles of which one has such rays for points in one pixel. An image shows the mean of many.
+constexpr std::size_t kBundlesInPixel = 2;
+// Parts of the sample, as their inverses, that may differ before all rays are traced.
+constexpr std::size_t kDiffering = 12;
+constexpr std::size_t kDifferingInPixel = 4;
 // Sine of elevation of the lowest rays that are traced, with a margin.
 constexpr float kLowestRay = 0x1p-16F;
 constexpr float kFacingAlike = 0.5F;  // cosine between normals
@@ -222,15 +227,18 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
     around.reserve(neighbours.size());
     for (const std::uint32_t n : neighbours)
         around.push_back({.bits = visibility.at(n), .normal = normals_[n]});
-    out.find(around, std::min(around.size(), kFewestNeighbours), directions, normals_[vertex], vertex);
+    out.find(around, std::min(around.size(), kFewestNeighbours),
+             like != kNoVertex ? Around::in_pixel : Around::beside, directions, normals_[vertex], vertex);
     return true;
 }
 
-void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
-                     const glm::vec3& normal, std::size_t number) {
+void Agreement::find(std::span<const Seeing> around, std::size_t fewest, Around where,
+                     const DirectionSet& directions, const glm::vec3& normal, std::size_t number) {
     const std::size_t bundles = directions.bundles().size();
     const std::size_t checks = (kFewestChecks + bundles - 1) / bundles;  // in each bundle
-    spared = sampled = 0;
+    const std::size_t every = where == Around::in_pixel ? kBundlesInPixel : 1;
+    std::size_t sampled = 0;
+    spared.resize(bundles);
     bits.assign((directions.size() + 63) / 64, 0);
     checked.assign(bits.size(), 0);
     traced.may_close.resize(bundles);
@@ -252,29 +260,43 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const D
                                 ~(open & blocked) & dispatch<rays_above>(bundle, normal, kLowestRay);
         // The rays are at other places in neighbouring bundles and vertices.
         unsigned sample = 0;
-        for (std::size_t i = 0; i < checks; ++i)
+        for (std::size_t i = 0; i < checks && (b + number) % every == 0; ++i)
             sample |= 1U << ((7 * b + 5 * number + 3 * i) % RayBundle::kRays);
         sample &= agreed;
-        spared += static_cast<std::uint64_t>(std::popcount(agreed & ~sample));
-        sampled += static_cast<std::uint64_t>(std::popcount(sample));
+        spared[b] = static_cast<std::uint16_t>(agreed & ~sample);
+        sampled += static_cast<std::size_t>(std::popcount(sample));
         traced.may_close[b] = static_cast<std::uint16_t>(~agreed | sample);
         add_bundle_bits(bits, b, open & agreed);
         add_bundle_bits(checked, b, sample);
     }
     traced.may_open = traced.may_close;
+    few = sampled / (where == Around::in_pixel ? kDifferingInPixel : kDiffering);
 }
 
-bool Agreement::confirmed(std::span<const std::uint64_t> traced_bits, double wrong) const {
-    int differ = 0;
+bool Agreement::find_wrong(std::span<const std::uint64_t> traced_bits, const RayCones& cones) {
+    std::ranges::fill(traced.may_close, std::uint16_t{0});
+    std::size_t count = 0;
     for (std::size_t w = 0; w < bits.size(); ++w)
-        differ += std::popcount((traced_bits[w] ^ bits[w]) & checked[w]);
-    return differ <= wrong * static_cast<double>(sampled);
-}
-
-void Agreement::ask_rest(std::span<const std::uint64_t> traced_bits) {
+        for (std::uint64_t differ = (traced_bits[w] ^ bits[w]) & checked[w]; differ != 0;
+             differ &= differ - 1) {
+            cones.add_beside(64 * w + static_cast<std::size_t>(std::countr_zero(differ)), traced.may_close);
+            ++count;
+        }
+    if (count == 0) return false;
+    if (count > few) traced.may_close = spared;
+    few = spared.size() * RayBundle::kRays;
+    bool any = false;
     std::ranges::copy(traced_bits, bits.begin());
-    for (std::uint16_t& rays : traced.may_close) rays = static_cast<std::uint16_t>(~rays);
+    std::ranges::fill(checked, std::uint64_t{0});
+    for (std::size_t b = 0; b < spared.size(); ++b) {
+        const auto beside = static_cast<std::uint16_t>(traced.may_close[b] & spared[b]);
+        traced.may_close[b] = beside;
+        spared[b] = static_cast<std::uint16_t>(spared[b] & ~beside);
+        add_bundle_bits(checked, b, beside);
+        any = any || beside != 0;
+    }
     traced.may_open = traced.may_close;
+    return any;
 }
 
 }  // namespace nicol

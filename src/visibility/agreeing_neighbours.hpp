@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,13 +12,11 @@
 
 #include "visibility/bake.hpp"
 #include "visibility/disturbed_rays.hpp"
+#include "visibility/ray_cones.hpp"
 #include "visibility/vertex_rays.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
-
-/// Part of a sample of rays in which points of one pixel may differ, because no image shows it.
-inline constexpr double kWrongInPixel = 1.0 / 32;
 
 /// Bits and unit normal of a point.
 struct Seeing {
@@ -25,49 +24,54 @@ struct Seeing {
     glm::vec3 normal;
 };
 
+/// Relation of points to a point whose rays they spare.
+enum class Around : std::uint8_t {
+    beside,   ///< on a surface, at a small distance
+    in_pixel  ///< one of them in the same pixel, so that an image shows both together
+};
+
 /// Rays of a point on which points around it agree, and a sample of these rays that is to confirm them.
 struct Agreement {
-    std::vector<std::uint64_t> bits;     ///< of the point, where those around agree
+    std::vector<std::uint64_t> bits;     ///< bits of the point, where those around agree
     std::vector<std::uint64_t> checked;  ///< 1 for the sample
     DisturbedBundles traced;             ///< the sample, and the rays on which the points disagree
-    std::uint64_t sampled = 0;           ///< number of rays of the sample
-    std::uint64_t spared = 0;            ///< number of other rays above the horizon
+    std::vector<std::uint16_t> spared;   ///< by bundle, the other rays above the horizon
+    std::size_t few = 0;  ///< number of rays of the sample that may differ before all are traced
 
     /// Finds the agreement of points, of which `fewest`, 1 to 3, must have a direction above their horizon.
     /// normal and number: of the point in the middle.
-    void find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
-              const glm::vec3& normal, std::size_t number);
-    /// Traces `traced` and, unless that confirms the rest, all other rays. wrong: part of the sample that may
-    /// differ from what the points around see. row: bits
-    /// of the point, 0 before. trace: sets a row whose bits are 0, from what it is told is known, and returns
-    /// the numbers of rays.
+    void find(std::span<const Seeing> around, std::size_t fewest, Around where,
+              const DirectionSet& directions, const glm::vec3& normal, std::size_t number);
+    /// Traces `traced`, and all spared rays if more than `few` of the sample differ from what the points
+    /// around see. If only a few differ, traces the spared rays beside these and so on, because rays that
+    /// differ lie beside each other. row: bits of the point, 0 before. cones: of the directions. trace: sets
+    /// a row whose bits are 0, from what it is told is known, and returns the numbers of rays.
     template <class Trace>
-    RayCounts settle(double wrong, std::span<std::uint64_t> row, const Trace& trace) {
+    RayCounts settle(std::span<std::uint64_t> row, const RayCones& cones, const Trace& trace) {
         const FormerBits known{.bits = bits, .disturbed = &traced};
         RayCounts counts = trace(known);
-        if (confirmed(row, wrong)) {
-            counts.skipped += spared;
-            return counts;
+        for (bool more = find_wrong(row, cones); more; more = find_wrong(row, cones)) {
+            std::ranges::fill(row, 0U);
+            const RayCounts of_more = trace(known);
+            counts.traced += of_more.traced;
+            counts.skipped += of_more.skipped;
         }
-        ask_rest(row);
-        std::ranges::fill(row, 0U);
-        const RayCounts rest = trace(known);
-        return {.traced = counts.traced + rest.traced, .skipped = counts.skipped + rest.skipped};
+        for (const std::uint16_t rays : spared)
+            counts.skipped += static_cast<std::uint64_t>(std::popcount(rays));
+        return counts;
     }
 
 private:
-    // Returns whether the sample, once traced, is as the points around see it, but for a part of at most
-    // `wrong`.
-    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits, double wrong) const;
-    // Makes `bits` the result of tracing, and `traced` all other rays.
-    void ask_rest(std::span<const std::uint64_t> traced_bits);
+    // Makes `bits` the result of tracing, and `traced` and `checked` the spared rays that may differ too if
+    // checked ones do. Returns whether there are any.
+    bool find_wrong(std::span<const std::uint64_t> traced_bits, const RayCones& cones);
 };
 
 /// Vertices of fine surfaces in the order in which a bake traces them: first a few far apart, then by turns
 /// those between, whose rays are traced only in directions in which the vertices around see different things,
-/// and a sample of the others. If one of these differs from what the vertices around see, all are traced:
-/// the surface has details between its vertices, or something touches it. Vertices in pixels of others come
-/// last, and take what these see, see BakeGeometry::like.
+/// and a sample of the others. If one of these differs from what the vertices around see, then so may the
+/// rays beside it: the surface has details between its vertices, or something touches it. Vertices in pixels
+/// of others come last, and take what these see, see BakeGeometry::like.
 class AgreeingNeighbours {
 public:
     /// geometry and normals, which are of unit length, must outlive the object. find: whether to find such

@@ -165,8 +165,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         if (!agreeing.find(v, directions, visibility, agreement))
             return blockers.trace(scene, origins[v], normals[v], v, {}, visibility);
         blockers.flat().find(origins[v], normals[v], scratch.faces);
-        const double wrong = geometry.like_of(v) != kNoVertex ? kWrongInPixel : 0;
-        return agreement.settle(wrong, visibility.at(v), [&](const FormerBits& known) {
+        return agreement.settle(visibility.at(v), blockers.cones(), [&](const FormerBits& known) {
             return trace_vertex(scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);
         });

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLVIS", 8);
 // Version of visibility files; raise it whenever equal geometry and directions give different bits.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 // Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
-constexpr std::uint32_t kRefinementVersion = 6;
+constexpr std::uint32_t kRefinementVersion = 7;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {

@@ -56,8 +56,9 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
     } else {
         const bool in_pixel = around.size() > 2;
         Agreement agreement;
-        agreement.find(around, in_pixel ? 1 : around.size(), directions_, normal, i);
-        rays = agreement.settle(in_pixel ? kWrongInPixel : 0, seen.at(i), traced);
+        agreement.find(around, in_pixel ? 1 : around.size(), in_pixel ? Around::in_pixel : Around::beside,
+                       directions_, normal, i);
+        rays = agreement.settle(seen.at(i), blockers_.cones(), traced);
     }
     hides = light_.at(seen, i, normal);
     return rays;

@@ -31,6 +31,7 @@ public:
 
     /// Returns the geometry's large flat faces.
     [[nodiscard]] const FlatBlockers& flat() const noexcept { return flat_; }
+    [[nodiscard]] const RayCones& cones() const noexcept { return cones_; }
 
 private:
     // Triangles in a ball, and between two planes across their mean normal. The first node is the root.

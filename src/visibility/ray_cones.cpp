@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "simd/dispatch.hpp"
 #include "visibility/bundle_bits.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 // Margin of cosines against rounding.
 constexpr float kCosineSlack = 1e-4F;
+// Angle to the farthest directions beside one, in sides of the square that a direction has of the sphere.
+constexpr float kBeside = 1.6F;
 
 struct Cones {
     const float* x;
@@ -35,7 +38,9 @@ struct Cones {
 
 }  // namespace
 
-RayCones::RayCones(const DirectionSet& directions) : directions_(directions) {
+RayCones::RayCones(const DirectionSet& directions)
+    : directions_(directions),
+      beside_(kBeside * std::sqrt(4 * std::numbers::pi_v<float> / static_cast<float>(directions.size()))) {
     for (const RayBundle& bundle : directions.bundles()) add_bundle(bundle);
 }
 
@@ -67,6 +72,10 @@ void RayCones::add(const glm::vec3& axis, float sine, std::span<std::uint16_t> b
             dispatch<rays_above>(directions_.bundles()[b], axis, cosine - kCosineSlack);
         bits[b] = static_cast<std::uint16_t>(bits[b] | rays);
     }
+}
+
+void RayCones::add_beside(std::size_t i, std::span<std::uint16_t> bits) const {
+    add(directions_.directions()[i], beside_, bits);
 }
 
 }  // namespace nicol

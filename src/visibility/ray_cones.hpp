@@ -21,6 +21,8 @@ public:
     /// Adds the directions at most the angle with this sine, below a right angle, away from a unit vector.
     /// May add a few more.
     void add(const glm::vec3& axis, float sine, std::span<std::uint16_t> bits) const;
+    /// Adds direction number i and the directions beside it, about eight.
+    void add_beside(std::size_t i, std::span<std::uint16_t> bits) const;
     [[nodiscard]] std::size_t bundles() const noexcept { return x_.size(); }
 
 private:
@@ -29,6 +31,7 @@ private:
     const DirectionSet& directions_;
     // Cones around the bundles: unit axes, and cosines and sines of half their opening angles.
     std::vector<float> x_, y_, z_, cosine_, sine_;
+    float beside_;  // sine of the angle between a direction and the farthest beside it
 };
 
 }  // namespace nicol
