@@ -318,7 +318,8 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
         rays.tfar[i] = std::numeric_limits<float>::infinity();
         rays.mask[i] = ~0U;
     }
-    return embree_->occluded(rays, active, parts_.empty());
+    // Rays from one point spread, so that one beam of them meets most boxes of a fine mesh around the point.
+    return embree_->occluded(rays, active, false);
 }
 
 std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) const {

@@ -24,11 +24,8 @@ constexpr std::size_t kMostNeighbours = 8;
 // Directions, half of them below the horizon, whose rays are traced although the neighbours agree. If they
 // err in a part f of the directions, about exp(-32 f) of such vertices pass.
 constexpr std::size_t kFewestChecks = 64;
-// Number of bundles of which one has such rays for points in one pixel. An image shows the mean of many.
-constexpr std::size_t kBundlesInPixel = 2;
-// Parts of the sample, as their inverses, that may differ before all rays are traced.
+// Part of the sample, as its inverse, that may differ before all rays are traced.
 constexpr std::size_t kDiffering = 12;
-constexpr std::size_t kDifferingInPixel = 4;
 // Sine of elevation of the lowest rays that are traced, with a margin.
 constexpr float kLowestRay = 0x1p-16F;
 constexpr float kFacingAlike = 0.5F;  // cosine between normals
@@ -227,16 +224,14 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
     around.reserve(neighbours.size());
     for (const std::uint32_t n : neighbours)
         around.push_back({.bits = visibility.at(n), .normal = normals_[n]});
-    out.find(around, std::min(around.size(), kFewestNeighbours),
-             like != kNoVertex ? Around::in_pixel : Around::beside, directions, normals_[vertex], vertex);
+    out.find(around, std::min(around.size(), kFewestNeighbours), directions, normals_[vertex], vertex);
     return true;
 }
 
-void Agreement::find(std::span<const Seeing> around, std::size_t fewest, Around where,
-                     const DirectionSet& directions, const glm::vec3& normal, std::size_t number) {
+void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
+                     const glm::vec3& normal, std::size_t number) {
     const std::size_t bundles = directions.bundles().size();
     const std::size_t checks = (kFewestChecks + bundles - 1) / bundles;  // in each bundle
-    const std::size_t every = where == Around::in_pixel ? kBundlesInPixel : 1;
     std::size_t sampled = 0;
     spared.resize(bundles);
     bits.assign((directions.size() + 63) / 64, 0);
@@ -260,7 +255,7 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, Around 
                                 ~(open & blocked) & dispatch<rays_above>(bundle, normal, kLowestRay);
         // The rays are at other places in neighbouring bundles and vertices.
         unsigned sample = 0;
-        for (std::size_t i = 0; i < checks && (b + number) % every == 0; ++i)
+        for (std::size_t i = 0; i < checks; ++i)
             sample |= 1U << ((7 * b + 5 * number + 3 * i) % RayBundle::kRays);
         sample &= agreed;
         spared[b] = static_cast<std::uint16_t>(agreed & ~sample);
@@ -270,7 +265,7 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, Around 
         add_bundle_bits(checked, b, sample);
     }
     traced.may_open = traced.may_close;
-    few = sampled / (where == Around::in_pixel ? kDifferingInPixel : kDiffering);
+    few = sampled / kDiffering;
 }
 
 bool Agreement::find_wrong(std::span<const std::uint64_t> traced_bits, const RayCones& cones) {

@@ -24,12 +24,6 @@ struct Seeing {
     glm::vec3 normal;
 };
 
-/// Relation of points to a point whose rays they spare.
-enum class Around : std::uint8_t {
-    beside,   ///< on a surface, at a small distance
-    in_pixel  ///< one of them in the same pixel, so that an image shows both together
-};
-
 /// Rays of a point on which points around it agree, and a sample of these rays that is to confirm them.
 struct Agreement {
     std::vector<std::uint64_t> bits;     ///< bits of the point, where those around agree
@@ -40,8 +34,8 @@ struct Agreement {
 
     /// Finds the agreement of points, of which `fewest`, 1 to 3, must have a direction above their horizon.
     /// normal and number: of the point in the middle.
-    void find(std::span<const Seeing> around, std::size_t fewest, Around where,
-              const DirectionSet& directions, const glm::vec3& normal, std::size_t number);
+    void find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
+              const glm::vec3& normal, std::size_t number);
     /// Traces `traced`, and all spared rays if more than `few` of the sample differ from what the points
     /// around see. If only a few differ, traces the spared rays beside these and so on, because rays that
     /// differ lie beside each other. row: bits of the point, 0 before. cones: of the directions. trace: sets

@@ -54,10 +54,8 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
     } else if (around.empty()) {
         rays = traced({});
     } else {
-        const bool in_pixel = around.size() > 2;
         Agreement agreement;
-        agreement.find(around, in_pixel ? 1 : around.size(), in_pixel ? Around::in_pixel : Around::beside,
-                       directions_, normal, i);
+        agreement.find(around, around.size() > 2 ? 1 : around.size(), directions_, normal, i);
         rays = agreement.settle(seen.at(i), blockers_.cones(), traced);
     }
     hides = light_.at(seen, i, normal);
