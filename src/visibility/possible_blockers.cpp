@@ -45,36 +45,41 @@ PossibleBlockers::PossibleBlockers(const BakeGeometry& geometry, const Direction
         triangles.insert(triangles.end(), geometry.glass->triangles.begin(), geometry.glass->triangles.end());
     if (triangles.empty()) return;
     corners_.resize(3 * triangles.size());
-    nodes_ = built(triangles, 0, 0);
+    build(triangles, 0, 0, nodes_);
 }
 
-std::vector<PossibleBlockers::Node> PossibleBlockers::built(std::span<glm::uvec3> triangles,
-                                                            std::size_t first, int depth) {
-    Node node = bound(triangles);
+void PossibleBlockers::build(std::span<glm::uvec3> triangles, std::size_t first, int depth,
+                             std::vector<Node>& nodes) {
+    const std::size_t place = nodes.size();
+    nodes.push_back(bound(triangles));
     if (triangles.size() <= kLeafTriangles) {
         const auto begin = corners_.begin() + static_cast<std::ptrdiff_t>(first);
         auto end = begin;
         for (const glm::uvec3& t : triangles)
             for (glm::length_t k = 0; k < 3; ++k) *end++ = t[k];
         std::sort(begin, end);
-        node.first = static_cast<std::uint32_t>(first);
-        node.last = static_cast<std::uint32_t>(std::unique(begin, end) - corners_.begin());
-        return {node};
+        nodes[place].first = static_cast<std::uint32_t>(first);
+        nodes[place].last = static_cast<std::uint32_t>(std::unique(begin, end) - corners_.begin());
+        return;
     }
     const std::size_t half = divide(triangles, depth);
-    std::vector<Node> left, right;
-    const auto build_left = [&] { left = built(triangles.first(half), first, depth + 1); };
-    const auto build_right = [&] { right = built(triangles.subspan(half), first + 3 * half, depth + 1); };
-    if (triangles.size() >= kSerialTriangles) {
-        tbb::parallel_invoke(build_left, build_right);
-    } else {
-        build_left();
-        build_right();
+    const auto build_left = [&](std::vector<Node>& to) {
+        build(triangles.first(half), first, depth + 1, to);
+    };
+    const auto build_right = [&](std::vector<Node>& to) {
+        build(triangles.subspan(half), first + 3 * half, depth + 1, to);
+    };
+    if (triangles.size() < kSerialTriangles) {
+        build_left(nodes);
+        nodes[place].right = static_cast<std::uint32_t>(nodes.size() - place);
+        build_right(nodes);
+        return;
     }
-    node.right = static_cast<std::uint32_t>(1 + left.size());
-    left.insert(left.begin(), node);
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
+    std::vector<Node> left, right;
+    tbb::parallel_invoke([&] { build_left(left); }, [&] { build_right(right); });
+    nodes[place].right = static_cast<std::uint32_t>(1 + left.size());
+    nodes.insert(nodes.end(), left.begin(), left.end());
+    nodes.insert(nodes.end(), right.begin(), right.end());
 }
 
 std::size_t PossibleBlockers::divide(std::span<glm::uvec3> triangles, int depth) const {
@@ -118,14 +123,16 @@ PossibleBlockers::Node PossibleBlockers::bound(std::span<const glm::uvec3> trian
     }
     const double length = glm::length(normals);
     Node node{.centre = 0.5 * (least + most), .axis = length > 0 ? normals / length : glm::dvec3(0, 0, 1)};
+    double square = 0;  // of the radius
     for (const glm::uvec3& t : triangles)
         for (glm::length_t k = 0; k < 3; ++k) {
             const glm::dvec3 from = positions_[t[k]] - node.centre;
             const double along = glm::dot(from, node.axis);
-            node.radius = std::max(node.radius, glm::length(from));
+            square = std::max(square, glm::dot(from, from));
             node.lowest = std::min(node.lowest, along);
             node.highest = std::max(node.highest, along);
         }
+    node.radius = std::sqrt(square);
     return node;
 }
 

@@ -31,6 +31,7 @@ public:
 
     /// Returns the geometry's large flat faces.
     [[nodiscard]] const FlatBlockers& flat() const noexcept { return flat_; }
+    /// Returns the cones around the bundles of the directions.
     [[nodiscard]] const RayCones& cones() const noexcept { return cones_; }
 
 private:
@@ -48,8 +49,8 @@ private:
         std::uint32_t first = 0, last = 0;  // corners of a leaf
     };
 
-    // Returns the subtree of some triangles, whose order it changes. first: place of their corners.
-    std::vector<Node> built(std::span<glm::uvec3> triangles, std::size_t first, int depth);
+    // Appends the subtree of some triangles, whose order it changes. first: place of their corners.
+    void build(std::span<glm::uvec3> triangles, std::size_t first, int depth, std::vector<Node>& nodes);
     // Moves the triangles of a node's first half to the front, and returns their number.
     std::size_t divide(std::span<glm::uvec3> triangles, int depth) const;
     [[nodiscard]] Node bound(std::span<const glm::uvec3> triangles) const;

@@ -3,6 +3,7 @@
 #include "visibility/agreeing_neighbours.hpp"
 
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <random>
 #include <string>
@@ -12,6 +13,7 @@
 #include "test.hpp"
 #include "visibility/bake.hpp"
 #include "visibility/points_in_pixels.hpp"
+#include "visibility/ray_cones.hpp"
 
 using namespace nicol;
 
@@ -170,6 +172,47 @@ TEST_CASE("vertices in a pixel trace the rays of one, and the light at vertices 
         const Visibility traced = bake(geometry, directions(), {}, &all);
         CHECK(static_cast<double>(some.rays) <= each.most * static_cast<double>(all.rays));
         CHECK(rms_off(each.mesh, shared, traced) <= 0.02);
+    }
+}
+
+TEST_CASE("rays beside one that differs are traced, and all if many differ") {
+    const glm::vec3 up(0, 0, 1);
+    const RayCones cones(directions());
+    Visibility open(directions().size(), 1);
+    const std::uint64_t all = set_open(directions(), up, 0, open);
+    const std::vector<Seeing> around(3, {.bits = open.at(0), .normal = up});
+    std::mt19937 random(5);
+    struct Case {
+        std::string name;
+        std::function<bool(const glm::vec3& direction)> blocked;
+        double least, most;  // of all rays, the part that is traced
+    };
+    const glm::vec3 middle = glm::normalize(glm::vec3(0.3, 0.5, 1));
+    for (const Case& each :
+         {Case{"nothing", [](const glm::vec3&) { return false; }, 0.05, 0.15},
+          {"a patch", [&](const glm::vec3& d) { return glm::dot(d, middle) > 0.97F; }, 0.1, 0.3},
+          {"every second ray", [&](const glm::vec3&) { return random() % 2 == 0; }, 1, 1}}) {
+        CAPTURE(each.name);
+        std::vector<std::uint64_t> truth(open.at(0).begin(), open.at(0).end());
+        for (std::size_t i = 0; i < directions().size(); ++i)
+            if (each.blocked(directions().directions()[i])) truth[i / 64] &= ~(std::uint64_t{1} << i % 64);
+        Agreement agreement;
+        agreement.find(around, 3, directions(), up, 0);
+        std::vector<std::uint64_t> row(truth.size(), 0);
+        const RayCounts counts = agreement.settle(row, cones, [&](const FormerBits& known) {
+            RayCounts traced;
+            for (std::size_t i = 0; i < directions().size(); ++i) {
+                const std::uint64_t bit = std::uint64_t{1} << i % 64;
+                const bool asked = (known.disturbed->may_close[i / 16] >> i % 16 & 1) != 0;
+                row[i / 64] |= (asked ? truth[i / 64] : known.bits[i / 64]) & bit;
+                if (asked && (open.at(0)[i / 64] & bit) != 0) ++traced.traced;
+            }
+            return traced;
+        });
+        CHECK(row == truth);
+        CHECK(counts.traced + counts.skipped == all);
+        CHECK(static_cast<double>(counts.traced) >= each.least * static_cast<double>(all));
+        CHECK(static_cast<double>(counts.traced) <= each.most * static_cast<double>(all));
     }
 }
 
