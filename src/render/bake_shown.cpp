@@ -19,6 +19,7 @@ Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometr
     std::vector<std::uint8_t> rest, room;
     for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
     geometry.needed = traced_of(surfaces.geometry(), rest, room);
+    geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
     Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
     for (std::size_t v = 0; v < rest.size(); ++v) {
         if (rest[v] == 0) visibility.take(v, **baked_, v);
@@ -57,9 +58,11 @@ void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& ray
     BakeStatistics baked;
     run.workers.run([&] {
         std::vector<std::uint8_t> room;
+        BakeGeometry geometry = bake_geometry(surfaces, rays, traced_of(world, missing, room), options);
+        geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
         const Visibility more = nicol::bake(
-            bake_geometry(surfaces, rays, traced_of(world, missing, room), options), *directions_,
-            [&run](double fraction) { run.progress.report("bake", fraction); }, &baked);
+            geometry, *directions_, [&run](double fraction) { run.progress.report("bake", fraction); },
+            &baked);
         auto all = std::make_shared<Visibility>(**baked_), visible = std::make_shared<Visibility>(**visible_);
         for (std::size_t i = 0; i < given; ++i)
             if (missing[i] != 0) all->take(i, more, i);

@@ -28,7 +28,9 @@ namespace nicol {
 namespace {
 
 // Part of all vertices that is few, as its inverse: preparing to spare their rays takes longer than they do.
+// The second is that of a bake that knows no rays, in which all rays of these vertices are traced.
 constexpr std::size_t kFew = 4;
+constexpr std::size_t kFewNeeded = 64;
 
 // Number of rays between two calls of the progress callback.
 constexpr std::size_t kRaysAtATime = std::size_t{1} << 21;
@@ -100,6 +102,13 @@ private:
     std::vector<std::uint32_t> disturbed_of_;
 };
 
+// Returns whether few of the vertices are needed.
+bool few_needed(const BakeGeometry& geometry, std::size_t vertices) {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < vertices; ++v) count += geometry.needs(v) ? 1 : 0;
+    return kFewNeeded * count < vertices;
+}
+
 }  // namespace
 
 BakeRays rays_of(const BakeGeometry& geometry) {
@@ -133,7 +142,8 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::optional<KnownRays> known_rays;
     if (former != nullptr) known_rays.emplace(*former, directions, vertices);
-    const bool few = known_rays && kFew * (vertices - known_rays->known()) < vertices;
+    const bool few =
+        known_rays ? kFew * (vertices - known_rays->known()) < vertices : few_needed(geometry, vertices);
     const bool spare = !geometry.every_ray && !few;
     const PossibleBlockers blockers(geometry, directions, spare);
     const AgreeingNeighbours agreeing(geometry, normals, spare);
@@ -170,8 +180,10 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                                 visibility);
         });
     };
-    for (std::size_t v = 0; v < vertices; ++v)
-        if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);
+    if (!geometry.needed_alone)
+        tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
+            if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);
+        });
     std::size_t done = 0;
     const std::size_t chunk = 2 * kRaysAtATime / directions.size();
     for (const std::vector<std::uint32_t>& turn : agreeing.turns())

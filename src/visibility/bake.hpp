@@ -31,6 +31,7 @@ struct BakeGeometry {
     /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
     /// and triangles at them are not refined. Empty: all vertices.
     std::span<const std::uint8_t> needed = {};
+    bool needed_alone = false;  ///< whether bake() leaves the bits of other vertices at 0
     /// For each vertex, a needed one in the same pixel of an image that faces about the same way, whose
     /// visibility it takes but for a sample of rays; kNoVertex: none. Empty: none for all.
     std::span<const std::uint32_t> like = {};
