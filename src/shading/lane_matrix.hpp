@@ -83,4 +83,27 @@ template <class Number>
     return times(root, nearest_orthogonal(times(turned, near)));
 }
 
+/// Returns a matrix times the rotation that makes the columns orthogonal and the first one longer, which
+/// keeps the product with the transpose. Columns of almost the same length that are almost orthogonal keep
+/// their directions, because rounding errors would decide between the rotations.
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> with_orthogonal_columns(const Matrix2<Number>& m) {
+    constexpr float almost = 0.02F;
+    const Number of_first = m.first.x * m.first.x + m.first.y * m.first.y;
+    const Number of_second = m.second.x * m.second.x + m.second.y * m.second.y;
+    const Matrix2<Number> sorted = choose(of_first < of_second, Matrix2<Number>{m.second, m.first}, m);
+    const Number difference = of_first < of_second ? of_second - of_first : of_first - of_second;
+    const Number product = m.first.x * m.second.x + m.first.y * m.second.y;
+    // Cosine and sine of twice the angle of the rotation.
+    const Vector3<Number> twice =
+        normalized_or(Vector3<Number>{difference + almost * (of_first + of_second), 2.0F * product, Number{}},
+                      0.0F, Vector3<float>{1, 0, 0});
+    Number cosine = 0.5F + 0.5F * twice.x;
+    square_root(cosine);
+    const Number sine = 0.5F * twice.y / cosine;
+    return {
+        {cosine * sorted.first.x + sine * sorted.second.x, cosine * sorted.first.y + sine * sorted.second.y},
+        {cosine * sorted.second.x - sine * sorted.first.x, cosine * sorted.second.y - sine * sorted.first.y}};
+}
+
 }  // namespace nicol

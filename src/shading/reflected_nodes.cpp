@@ -203,11 +203,9 @@ template <class Number>
         const Matrix2<Number> a = times(lobe, transposed(lobe)), b = times(pixel, transposed(pixel));
         const Matrix2<Number> covariance{{a.first.x + b.first.x, a.first.y + b.first.y},
                                          {a.second.x + b.second.x, a.second.y + b.second.y}};
-        Matrix2<Number> root = root_near(covariance, choose(lobe_is_wider, lobe, pixel));
+        const Matrix2<Number> root =
+            with_orthogonal_columns(root_near(covariance, choose(lobe_is_wider, lobe, pixel)));
         Number longer = root.first.x * root.first.x + root.first.y * root.first.y;
-        const Number other = root.second.x * root.second.x + root.second.y * root.second.y;
-        root = choose(longer < other, Matrix2<Number>{root.second, root.first}, root);
-        longer = longer < other ? other : longer;
         square_root(longer);
         Number area;
         determinant(root, area);

@@ -197,3 +197,30 @@ TEST_CASE("a mirror's nodes cover the pixel around its shifted middle") {
     CHECK(squares.x - mean.x * mean.x == doctest::Approx(0.04 * 0.04 / 12).epsilon(0.02));
     CHECK(squares.y == doctest::Approx(0.02 * 0.02 / 12).epsilon(0.02));
 }
+
+TEST_CASE("the axes of the surface say nothing about a round lobe that is seen at a grazing angle") {
+    // The same view at sixteen azimuths. Light beside the mirror direction shows how the lobe lies.
+    constexpr double zenith = 1.4;
+    const Lobe lobe{glm::dvec2(0.1), Distribution::beckmann};
+    const NodeGrids grids(32);
+    const MirroredPixels pixels{};
+    LaneVectors viewers;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        put(viewers, i, glm::vec3(direction(zenith, 2 * pi * static_cast<double>(i) / kLanes)));
+    const ReflectedNodes nodes(grids, lobe, slope_parts(lobe.distribution).front(), viewers, pixels);
+    for (const glm::dvec2& beside : {glm::dvec2(0, 0.04), {0.05, 0}, {0.1, 0.03}, {-0.1, 0.03}}) {
+        std::array<double, kLanes> found{};
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const double azimuth = 2 * pi * static_cast<double>(i) / kLanes + pi;
+            const glm::dvec3 middle = direction(zenith + beside.x, azimuth + beside.y);
+            for (std::size_t k = 0; k < nodes.count(); ++k) {
+                const ReflectedNode node = nodes.node(k);
+                found[i] += reflected(lobe, lane(viewers, i), node, lane(node.towards, i), middle, 1e-3, i);
+            }
+        }
+        CAPTURES(beside.x, beside.y);
+        const auto [least, most] = std::ranges::minmax(found);
+        CHECK(least > 0);
+        CHECK(most < 1.02 * least);
+    }
+}
