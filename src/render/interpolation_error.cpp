@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "material/lobe_quadrature.hpp"
-#include "render/seen_triangles.hpp"
 
 namespace nicol {
 namespace {
@@ -127,8 +126,9 @@ Lanes InterpolationError::reflected(const Reflections& reflections, const LaneVe
     return out;
 }
 
-double InterpolationError::of(const WorldGeometry& geometry, const Projection& projection,
-                              const EnvironmentPtr& light, const glm::dmat3& to_light) {
+double InterpolationError::of(const WorldGeometry& geometry, const SeenTriangles& seen,
+                              const Projection& projection, const EnvironmentPtr& light,
+                              const glm::dmat3& to_light) {
     if (light == nullptr) return 0;
     filtering_.run(light, [&] { light_.emplace(*light, kColumns); });
     if (reflections_.size() > geometry.ranges.size()) reflections_.clear();  // drops former materials
@@ -140,7 +140,7 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
     // Some triangles of one material, side by side.
     struct Batch {
         const Reflections* of = nullptr;
-        // Solid angles of places in view.
+        // Shares of the image of places in view.
         std::array<std::array<double, kBarycentrics.size()>, kLanes / kPlaces> weights{};
         std::size_t size = 0;
         LaneVectors normals, viewers;
@@ -166,7 +166,7 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
         batch.size = 0;
     };
 
-    for_seen_triangles(geometry, view, [&](std::size_t i, double solid_angle) {
+    seen.for_each(geometry, projection, [&](std::size_t i, double share) {
         const glm::uvec3& triangle = geometry.triangles[i];
         const MaterialPtr& material = geometry.ranges[range_of(geometry, triangle.x)].material;
         const auto [known, fresh] = reflections_.try_emplace(material);
@@ -185,7 +185,7 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
             const float length = glm::length(normal);
             put(batch.normals, lane, length > 0 ? normal / length : geometry.normals[triangle.x]);
             put(batch.viewers, lane, glm::vec3(view.towards(glm::dvec3(place))));
-            batch.weights[batch.size][k] = in_view(projection, place) ? solid_angle * kWeights[k] : 0;
+            batch.weights[batch.size][k] = in_view(projection, place) ? share * kWeights[k] : 0;
         }
         if (++batch.size == batch.weights.size()) finish();
     });

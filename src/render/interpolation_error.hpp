@@ -12,6 +12,7 @@
 
 #include "light/light_pyramid.hpp"
 #include "material/material.hpp"
+#include "render/seen_triangles.hpp"
 #include "scene/projection.hpp"
 #include "surfaces/geometry.hpp"
 #include "versioned.hpp"
@@ -25,11 +26,11 @@ namespace nicol {
 class InterpolationError {
 public:
     /// Returns the error of s0, relative to its RMS over the triangles that face the viewer in the image,
-    /// weighted by the solid angles under which they are seen. Only some thousands of a large mesh's
-    /// triangles are examined. projection: of the geometry's axes. light: null: none. to_light: from the
-    /// geometry's axes to the light's.
-    [[nodiscard]] double of(const WorldGeometry& geometry, const Projection& projection,
-                            const EnvironmentPtr& light, const glm::dmat3& to_light);
+    /// weighted by what they cover of the image. seen: a sample of the geometry's triangles. projection: of
+    /// the geometry's axes. light: null: none. to_light: from the geometry's axes to the light's.
+    [[nodiscard]] double of(const WorldGeometry& geometry, const SeenTriangles& seen,
+                            const Projection& projection, const EnvironmentPtr& light,
+                            const glm::dmat3& to_light);
 
 private:
     static constexpr std::size_t kAngles = 12;  // from 0 to pi/2

@@ -103,6 +103,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
     const bool follows_rays = nicol::follows_rays(given.method, executor);
+    seen_triangles_.update(surfaces.geometry, surfaces.versions.geometry);
     const SampledTerms sampled = sampled_terms(scene, given, follows_rays, surfaces.visibility != nullptr);
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
@@ -234,8 +235,8 @@ bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
     if (automatic && ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
                       local_lights_.any() || follows_smooth(options, executor)))
         return true;
-    const double error = interpolation_error_.of(visibility_.state().geometry, projection, split_.rest(),
-                                                 glm::transpose(light_to_geometry));
+    const double error = interpolation_error_.of(visibility_.state().geometry, seen_triangles_, projection,
+                                                 split_.rest(), glm::transpose(light_to_geometry));
     if (automatic && error > options.tolerance) return true;
     predicted_.add_relative(error);
     statistics.interpolation_error = error;
@@ -255,8 +256,9 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
         return chosen;
     }
     ShadowError::Seen seen;
-    run.workers.run(
-        [&] { seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0, projection); });
+    run.workers.run([&] {
+        seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0, seen_triangles_, projection);
+    });
     run.statistics.shadow_error = seen.error;
     predicted_.add_relative(seen.error);
     const bool predicted =

@@ -25,6 +25,7 @@
 #include "render/order_selector.hpp"
 #include "render/predicted_error.hpp"
 #include "render/scene_visibility.hpp"
+#include "render/seen_triangles.hpp"
 #include "render/shadow_error.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
@@ -110,6 +111,7 @@ private:
     LocalLights local_lights_;
     DrawnRays drawn_rays_;
     SmoothSurfaces smooth_;
+    SeenTriangles seen_triangles_;
     ShadowError shadow_error_;
     PredictedError predicted_;  // of the chosen orders, of shadows and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <glm/geometric.hpp>
+#include <cstdint>
+#include <vector>
 
 #include "scene/projection.hpp"
 #include "surfaces/geometry.hpp"
+#include "versioned.hpp"
 
 namespace nicol {
 
@@ -18,25 +20,40 @@ namespace nicol {
     return std::max({std::abs(p.x), std::abs(p.y), p.z}) <= p.w && p.z >= 0;
 }
 
-/// Calls use(index, solid_angle) for triangles that face the viewer, whether they are in view or not, and
-/// whether others hide them or not. Of a mesh with many triangles, about a thousand are examined.
-template <class Use>
-void for_seen_triangles(const WorldGeometry& geometry, const Viewpoint& view, const Use& use) {
-    constexpr std::size_t most = 1024;
-    const std::size_t step = (geometry.triangles.size() + most - 1) / most;
-    for (std::size_t i = 0; i < geometry.triangles.size(); i += step) {
-        const glm::uvec3& triangle = geometry.triangles[i];
-        const glm::vec3& a = geometry.positions[triangle.x];
-        const glm::vec3 area =
-            glm::cross(geometry.positions[triangle.y] - a, geometry.positions[triangle.z] - a) * 0.5F;
-        double solid_angle = glm::dot(glm::dvec3(area), view.towards(glm::dvec3(a)));
-        if (!(solid_angle > 0)) continue;
-        if (!view.orthographic) {
-            const glm::dvec3 away = glm::dvec3(a) - view.eye;
-            solid_angle = std::min(solid_angle / glm::dot(away, away), 4.0);
+/// Returns the share of an image that a triangle covers if nothing hides it; 0 if it faces away from the
+/// viewer. grazing: only the part counts whose cosine between normal and viewer is smaller; the cosine is
+/// that in the middle of the field of view.
+[[nodiscard]] double shown_share(const Projection& projection, const std::array<glm::vec3, 3>& corners,
+                                 double grazing = 1);
+
+/// A sample of a geometry's triangles, from which images take those that they show. Half of the sample goes
+/// by area, so that the few triangles of a large wall are in it, and half is equal for all triangles.
+class SeenTriangles {
+public:
+    /// Takes a sample if `version` is not that of the last call.
+    void update(const WorldGeometry& geometry, Version version);
+
+    /// Calls use(index, share) for triangles of the sample that face the viewer and are in view, whether
+    /// others hide them or not. The shares of an image stand for the triangles that the sample leaves out.
+    template <class Use>
+    void for_each(const WorldGeometry& geometry, const Projection& projection, const Use& use,
+                  double grazing = 1) const {
+        for (const Sampled& sampled : sample_) {
+            const glm::uvec3& t = geometry.triangles[sampled.triangle];
+            const double share = shown_share(
+                projection, {geometry.positions[t.x], geometry.positions[t.y], geometry.positions[t.z]},
+                grazing);
+            if (share > 0) use(std::size_t{sampled.triangle}, sampled.weight * share);
         }
-        use(i, solid_angle);
     }
-}
+
+private:
+    struct Sampled {
+        std::uint32_t triangle;
+        double weight;  // number of triangles that it stands for
+    };
+    std::vector<Sampled> sample_;
+    Stage<Version> sampling_;
+};
 
 }  // namespace nicol

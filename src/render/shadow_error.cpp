@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "render/seen_triangles.hpp"
 #include "render/vertex_weights.hpp"
 #include "visibility/hidden_light.hpp"
 
@@ -34,7 +33,8 @@ float area_of(const std::array<glm::vec3, 3>& corners) {
 
 }  // namespace
 
-ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const Projection& projection) {
+ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const SeenTriangles& seen,
+                                  const Projection& projection) {
     if (surfaces.visibility == nullptr) {
         of_all_ = 0;
         measuring_.reset();
@@ -44,14 +44,11 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
     if (done || squares_.size() != geometry.triangles.size())
         measuring_.run(surfaces.versions, [&] { measure(surfaces); });
     double weights = 0, error = 0, irradiance = 0;
-    for_seen_triangles(geometry, projection.view, [&](std::size_t i, double solid_angle) {
-        const glm::uvec3& t = geometry.triangles[i];
-        const glm::vec3 middle =
-            (geometry.positions[t.x] + geometry.positions[t.y] + geometry.positions[t.z]) / 3.0F;
-        if (squares_[i].irradiance < 0 || !in_view(projection, middle)) return;
-        weights += solid_angle;
-        error += solid_angle * static_cast<double>(squares_[i].error);
-        irradiance += solid_angle * static_cast<double>(squares_[i].irradiance);
+    seen.for_each(geometry, projection, [&](std::size_t i, double share) {
+        if (squares_[i].irradiance < 0) return;
+        weights += share;
+        error += share * static_cast<double>(squares_[i].error);
+        irradiance += share * static_cast<double>(squares_[i].irradiance);
     });
     if (!(irradiance > 0)) return {};
     return {.error = std::sqrt(error / irradiance), .brightness = irradiance / weights / all_};

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render/seen_triangles.hpp"
 #include "scene/projection.hpp"
 #include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
@@ -25,11 +26,12 @@ public:
     /// Returns the error of the irradiance on all surfaces, relative to its RMS, as the last call of of()
     /// found it; 0 if there was none or if nothing is hidden. It stays the same when the camera moves.
     [[nodiscard]] double of_all() const noexcept { return of_all_; }
-    /// Returns what the triangles that face the viewer say, weighted by the solid angles under which they are
-    /// seen. done: whether the bake of the surfaces is done; otherwise, shadows of an earlier state of the
-    /// same triangles are good enough. Runs on the threads of the calling thread's TBB arena after a change
-    /// of the surfaces; later calls examine some thousands of triangles.
-    [[nodiscard]] Seen of(const SurfaceState& surfaces, bool done, const Projection& projection);
+    /// Returns what the triangles that face the viewer say, weighted by what they cover of the image. `seen`
+    /// is a sample of the surfaces' triangles. done: whether the bake of the surfaces is done; otherwise,
+    /// shadows of an earlier state of the same triangles are good enough. Runs on the threads of the calling
+    /// thread's TBB arena after a change of the surfaces; later calls examine the sample.
+    [[nodiscard]] Seen of(const SurfaceState& surfaces, bool done, const SeenTriangles& seen,
+                          const Projection& projection);
 
 private:
     // Mean squares over a triangle.

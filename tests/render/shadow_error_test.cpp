@@ -72,10 +72,12 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
                             .versions = {.geometry = 1, .visibility = 1},
                             .materials = 1};
     };
+    SeenTriangles triangles;
+    triangles.update(surfaces.geometry(), 1);
     const auto seen = [&](const std::function<double(double)>& irradiance, const Projection& projection) {
         const Visibility visibility = lit(surfaces.geometry(), directions, irradiance);
         ShadowError error;
-        return error.of(state_of(visibility), true, projection);
+        return error.of(state_of(visibility), true, triangles, projection);
     };
     const auto linear = [](double x) { return 0.5 + 0.4 * x; };
     const auto square = [](double x) { return 0.1 + 0.8 * x * x; };
@@ -92,14 +94,14 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
         ShadowError error;
         const Visibility visibility = lit(surfaces.geometry(), directions, square);
         CHECK(error.of_all() == 0);
-        (void)error.of(state_of(visibility), true, projection);
+        (void)error.of(state_of(visibility), true, triangles, projection);
         CHECK(error.of_all() == doctest::Approx(missed).epsilon(0.25));
         (void)error.of({.geometry = surfaces.geometry(),
                         .visibility = nullptr,
                         .directions = nullptr,
                         .versions = {},
                         .materials = 1},
-                       true, projection);
+                       true, triangles, projection);
         CHECK(error.of_all() == 0);
     }
 
@@ -111,7 +113,7 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
                                                   .directions = nullptr,
                                                   .versions = {.geometry = 1, .visibility = 0},
                                                   .materials = 1},
-                                                 true, whole);
+                                                 true, triangles, whole);
     CHECK(unshadowed.error == 0);
     CHECK(unshadowed.brightness == 1);
 }
