@@ -86,10 +86,11 @@ private:
 }  // namespace
 
 bool is_sampled(const Material& material, int term, SampledTerms sampled) {
-    if (sampled == SampledTerms::none || material.matrix(0) != nullptr) return false;
-    if (sampled == SampledTerms::smooth) return material.smooth(term);
+    if (sampled.kind == SampledTerms::none || material.matrix(0) != nullptr) return false;
+    if (sampled.kind == SampledTerms::smooth) return material.smooth(term);
     const glm::dvec2 widths = material.lobe_widths(term);
-    return widths.x != widths.y || (sampled == SampledTerms::anisotropic_narrow && widths.x < kNarrowestLobe);
+    return widths.x != widths.y ||
+           (sampled.kind == SampledTerms::anisotropic_narrow && widths.x < sampled.narrowest);
 }
 
 bool any_sampled(const Material& material, SampledTerms sampled) {
@@ -98,7 +99,7 @@ bool any_sampled(const Material& material, SampledTerms sampled) {
 }
 
 bool finds_lights(const Lobe& lobe, SampledTerms sampled) {
-    return sampled == SampledTerms::anisotropic_narrow &&
+    return sampled.kind == SampledTerms::anisotropic_narrow &&
            std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;
 }
 

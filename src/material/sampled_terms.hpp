@@ -9,17 +9,28 @@
 
 namespace nicol {
 
-/// Terms whose reflection of distant light is the mean over samples of their lobes. All other terms reflect
-/// the light's harmonics.
-enum class SampledTerms {
-    none,
-    smooth,              ///< terms that replace a smooth surface, whose surroundings rays find
-    anisotropic,         ///< terms whose lobes differ along x and along y
-    anisotropic_narrow,  ///< these, and terms with lobes narrower than kNarrowestLobe
-};
-
 /// Narrowest lobe, in radians, of which order 64 leaves no more than a few hundredths out.
 inline constexpr double kNarrowestLobe = 0.1;
+
+/// Terms whose reflection of distant light is the mean over samples of their lobes. All other terms reflect
+/// the light's harmonics.
+struct SampledTerms {
+    enum class Kind {
+        none,
+        smooth,              ///< terms that replace a smooth surface, whose surroundings rays find
+        anisotropic,         ///< terms whose lobes differ along x and along y
+        anisotropic_narrow,  ///< these, and terms with lobes narrower than `narrowest`
+    };
+    using enum Kind;
+
+    Kind kind = Kind::none;
+    double narrowest = kNarrowestLobe;  ///< width of the narrowest lobes in harmonics, in radians
+
+    // Each kind is the set of terms of that kind with the usual width.
+    constexpr SampledTerms(Kind of) : kind(of) {}  // NOLINT(google-explicit-constructor)
+    constexpr SampledTerms(Kind of, double width) : kind(of), narrowest(width) {}
+    bool operator==(const SampledTerms&) const = default;
+};
 
 /// Returns whether a term of a material without variation() is sampled.
 [[nodiscard]] bool is_sampled(const Material& material, int term, SampledTerms sampled);

@@ -174,7 +174,7 @@ void LitBatch::add_environment(const SampledEnvironment& environment) {
         for (const Lobe& lobe : ReflectedLight::sampled_lobes(layer, environment.sampled()))
             add_lobe(environment, layer, lobe, weights, there);
     });
-    if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
+    if (environment.sampled().kind != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
     look_up_mirrored(environment);
     add_mirrored();
 }

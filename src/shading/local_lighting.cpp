@@ -95,7 +95,7 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
     }
     if (batch.any_layer_has(true)) {
         for (const LightSourcePtr& source : lights_.local) batch.add_mirrored(*source);
-        if (sampled != SampledTerms::anisotropic_narrow)
+        if (sampled.kind != SampledTerms::anisotropic_narrow)
             for (const LightSourcePtr& source : lights_.extracted) batch.add_mirrored(*source);
     }
     if (environment != nullptr) batch.add_environment(*environment);

@@ -37,6 +37,7 @@ TEST_CASE("anisotropic terms are sampled, and narrow ones under an image") {
         CHECK(!any(SampledTerms::none));
         CHECK(any(SampledTerms::anisotropic) == row.anisotropic);
         CHECK(any(SampledTerms::anisotropic_narrow) == row.narrow);
+        CHECK(any({SampledTerms::anisotropic_narrow, 0.31}) == (row.narrow || row.name == "round"));
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tests of the triangles that images show.
+// Tests of the triangles that images show, and of lobes at grazing angles.
 #include "render/seen_triangles.hpp"
 
+#include "render/grazing_lobes.hpp"
 #include "render/scenes.hpp"
 #include "scene/camera.hpp"
 #include "surfaces/scene_geometry.hpp"
@@ -93,4 +94,27 @@ TEST_CASE("a sample of triangles stands for all, and has the few large ones") {
     CHECK(all[0] > 0.05);
     CHECK(sampled[0] == doctest::Approx(all[0]).epsilon(0.05));
     CHECK(sampled[1] == doctest::Approx(all[1]).epsilon(0.01));
+}
+
+TEST_CASE("lobes are sampled where a large part of an image shows them at grazing angles") {
+    const struct {
+        MaterialPtr material;
+        double half, height;
+        double narrowest;
+    } rows[] = {{test::some_metal(0.2), 1e4, 0.5, 0.2}, {twosided(test::some_metal(0.2)), 1e4, 0.5, 0.2},
+                {test::some_metal(0.2), 1e4, 4, 0.1},   {test::some_metal(0.2), 0.3, 0.5, 0.1},
+                {test::some_metal(0.5), 1e4, 0.5, 0.1}, {test::some_metal(0.05), 1e4, 0.5, 0.1},
+                {diffuse({0.5}), 1e4, 0.5, 0.1}};
+    for (const auto& row : rows) {
+        Scene scene;
+        scene.add({.mesh = floor_of(static_cast<float>(row.half)), .material = row.material});
+        SceneGeometry surfaces;
+        surfaces.update(scene);
+        SeenTriangles seen;
+        seen.update(surfaces.geometry(), 1);
+        const double found = narrowest_in_harmonics(surfaces.geometry(), seen, from_height(row.height));
+        CAPTURES(row.half, row.height, row.narrowest, found);
+        CHECK(found == doctest::Approx(row.narrowest));
+        CHECK(found >= row.narrowest);  // lobes of this width are narrower
+    }
 }

@@ -1376,10 +1376,11 @@ class RenderOptions(Struct):
         to 1024, default 16; up to twice as many for very wide lights. Fewer are faster and noisier.
     bsdf_samples: Largest number of samples of the environment, per lobe and per point or pixel, that the factored method
         takes for lobes which harmonics cannot hold, 0 to 1024, default 32: anisotropic lobes, and lobes
-        narrower than 0.1 if the environment is an image or surfaces hide it from each other. Longer lobes take
-        more; those of GGX up to half as many again. Samples are weighted by the pBRDF, see the environment
-        averaged over the gaps between them, and cast shadow rays. 0: none; all lobes are those of harmonics,
-        and anisotropic ones round.
+        narrower than 0.1 if the environment is an image or surfaces hide it from each other. If
+        pixel_samples is above 1 and both orders are automatic, the limit rises to at most 0.35 for lobes
+        that a tenth of the image shows at grazing angles. Longer lobes take more; those of GGX up to half
+        as many again. Samples are weighted by the pBRDF, see the environment averaged over the gaps between
+        them, and cast shadow rays. 0: none; all lobes are those of harmonics, and anisotropic ones round.
     max_depth: Largest number of segments of a path from the camera to a light, counted as Mitsuba's max_depth: 1 is
         light that the camera sees directly, 2 adds light that a surface reflects once (direct light), 3 adds
         light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. The

@@ -42,7 +42,7 @@ void check_transposed(const PixelInput& input) {
     const LocalLighting& lighting = input.local_lights->lighting();
     if (lighting.any_extracted())
         refuse_adjoint("has no lights that are extracted from the environment; set split_lights to 0");
-    if (lighting.sampled() != SampledTerms::none)
+    if (lighting.sampled().kind != SampledTerms::none)
         refuse_adjoint("has no lobes that sample the environment; set bsdf_samples to 0");
 }
 
