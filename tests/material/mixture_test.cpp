@@ -5,6 +5,7 @@
 #include "error.hpp"
 #include "function_texture.hpp"
 #include "material/conductor.hpp"
+#include "material/principled.hpp"
 #include "material/response_table.hpp"
 #include "matrix_at.hpp"
 #include "test.hpp"
@@ -256,6 +257,27 @@ TEST_CASE("one-sided parts of a mixture are black on its back") {
     CHECK((both->twosided() && !both->behind()));
     const MaterialPtr opaque = masked(blend(one, metal, half), ramp_texture());
     CHECK(opacity_of(*opaque->behind()) == opacity_of(*opaque));
+}
+
+TEST_CASE("principled of which some terms alone are anisotropic is two-sided throughout") {
+    const MaterialPtr plain = principled({.roughness = 0.5, .anisotropic = 0.8, .clearcoat = 1});
+    const MaterialPtr both = twosided(plain);
+    int brushed = 0;
+    for (int t = 0; t < plain->terms(); ++t)
+        if (plain->lobe_widths(t).x != plain->lobe_widths(t).y) ++brushed;
+    CHECK(brushed > 0);
+    CHECK(brushed < plain->terms());
+    CHECK(both->isotropic().twosided());
+    const auto behind = [](const glm::dvec3& d) { return glm::dvec3(d.x, d.y, -d.z); };
+    const glm::dvec3 light = direction(0.6, 2), viewer = direction(0.9, 0.3);
+    for (const Material* const material : {both.get(), &both->isotropic()}) {
+        const double front = evaluate(*material, 0, light, viewer)(0, 0);
+        CHECK(front > 0);
+        CHECK(evaluate(*material, 0, behind(light), behind(viewer))(0, 0) == Approx(front));
+    }
+    CHECK(evaluate(plain->isotropic(), 0, behind(light), behind(viewer))(0, 0) == 0);
+    const MaterialPtr mixture = blend(both, twosided(diffuse({0.5})), constant_texture(glm::vec4(0.5F), 1));
+    CHECK(mixture->isotropic().twosided());
 }
 
 TEST_CASE("parts that do not go together are refused") {
