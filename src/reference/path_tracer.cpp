@@ -146,6 +146,7 @@ bool PathTracer::scatter(Path& path, const SurfaceHit& hit, const VertexPoints& 
                          std::span<Stokes> sum, PathWorkspace& workspace) const {
     if (!seen(hit, path.direction)) return false;
     const PathVertex vertex(hit, path.received, workspace);
+    if (vertex.mirrors()) return mirror(path, vertex, sum);
     lights_.add_sampled(vertex, points.points, points.index, points.first_stream, sum);
     if (last && !lights_.along()) return false;
     const glm::dvec3 towards_light = vertex.sample(points.at(lights_.streams()));
@@ -158,6 +159,22 @@ bool PathTracer::scatter(Path& path, const SurfaceHit& hit, const VertexPoints& 
     path.direction = vertex.in_world(towards_light);
     path.seen = false;
     path.received = vertex.incident_frame(towards_light);
+    return true;
+}
+
+bool PathTracer::mirror(Path& path, const PathVertex& vertex, std::span<Stokes> sum) const {
+    const glm::dvec3 towards_light = vertex.mirrored();
+    if (!vertex.lit_from(towards_light)) return false;
+    vertex.extend_mirrored();
+    const Ray ray = vertex.ray(towards_light);
+    const Frame incident = vertex.incident_frame(towards_light);
+    const std::optional<RayHit> next =
+        lights_.add_arriving(ray, incident, path.seen, vertex.workspace(), sum);
+    if (!next) return false;
+    absorb(next->distance, vertex.workspace());
+    path.found = *next;
+    path.direction = ray.direction;
+    path.received = incident;
     return true;
 }
 

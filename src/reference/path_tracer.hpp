@@ -57,6 +57,9 @@ private:
     /// path ends. last: whether the path ends in any case.
     bool scatter(Path& path, const SurfaceHit& hit, const VertexPoints& points, bool last,
                  std::span<Stokes> sum, PathWorkspace& workspace) const;
+    /// Adds the light that a mirror reflects, and moves the path to the next surface. Returns false if the
+    /// path ends.
+    bool mirror(Path& path, const PathVertex& vertex, std::span<Stokes> sum) const;
     /// Adds the light that a smooth boundary reflects or transmits, and moves the path to the next surface.
     /// Returns false if the path ends.
     bool pass(Path& path, const SmoothBoundary& boundary, const SurfaceHit& hit, const VertexPoints& points,

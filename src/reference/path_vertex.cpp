@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
+#include "material/conductor.hpp"
 #include "material/reflectance.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/boundary_split.hpp"
@@ -172,6 +174,21 @@ void PathVertex::add_reflected(const glm::dvec3& towards_light, double pdf, bool
         const Stokes reflected = workspace_.scattering[c] * workspace_.incident[c] / pdf;
         sum[c] += workspace_.throughput[c] * reflected;
     }
+}
+
+bool PathVertex::mirrors() const {
+    return boundary_ == nullptr && !any_term(*hit_.side.material, [](const Material& layer, int term) {
+               return !layer.smooth(term);
+           });
+}
+
+void PathVertex::extend_mirrored() const {
+    evaluate(mirrored(), true);
+    // In the mirror direction the facets' pBRDF is Fresnel's matrix times D / (4 cos^2) with
+    // D = 1 / (pi alpha^2), and evaluate() multiplies it by the cosine.
+    const double scale = 4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * hit_.towards_viewer.z;
+    for (std::size_t c = 0; c < workspace_.throughput.size(); ++c)
+        workspace_.throughput[c] = workspace_.throughput[c] * (scale * workspace_.scattering[c]);
 }
 
 double PathVertex::extend(const glm::dvec3& towards_light, double pdf) const {

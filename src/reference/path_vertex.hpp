@@ -54,6 +54,13 @@ public:
     /// light from below the surface, which the surface hides.
     [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const;
 
+    /// Returns whether the surface is a mirror: all terms of its material are smooth.
+    [[nodiscard]] bool mirrors() const;
+    /// Returns the direction whose light a mirror reflects to the viewer.
+    [[nodiscard]] glm::dvec3 mirrored() const {
+        return {-hit_.towards_viewer.x, -hit_.towards_viewer.y, hit_.towards_viewer.z};
+    }
+
     /// Samples a direction towards the light. point: in [0, 1)^2. The direction may be one from which no
     /// light reaches the viewer, and then is not lit_from(); it may be zero.
     [[nodiscard]] glm::dvec3 sample(const glm::dvec2& point) const;
@@ -72,6 +79,8 @@ public:
     /// Moves the path's end to the light from a direction, in incident_frame(), whose density is `pdf`.
     /// Returns BoundaryPart::radiance_scale.
     double extend(const glm::dvec3& towards_light, double pdf) const;
+    /// Moves the path's end to the light from mirrored(), in incident_frame(), as a mirror reflects it.
+    void extend_mirrored() const;
 
 private:
     void weigh_layers() const;

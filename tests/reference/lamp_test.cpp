@@ -3,7 +3,9 @@
 // images.
 #include "directions.hpp"
 #include "function_texture.hpp"
+#include "material/conductor.hpp"
 #include "material/mixture.hpp"
+#include "polarization/fresnel.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -155,6 +157,23 @@ TEST_CASE("sampling lamps, the surface or both gives the same light on every mat
         const Stokes other = point(scene, camera, 1 << 17, strategy, 2)[0];
         for (int p = 0; p < 4; ++p) CHECK(std::abs(other[p] - both[p]) < 5e-3 * both[0]);
     }
+}
+
+TEST_CASE("smooth metal mirrors a lamp as Fresnel says") {
+    const std::complex<double> index(0.4, -2.4);
+    Scene scene;
+    scene.add(square(conductor({index}), Frame(1.0), {0, 0, 0}, 5));
+    scene.add(lamp(emission({.radiance = {2}}), facing_down, {-1, 0, 1}, 0.3));
+    for (const Strategy strategy : strategies)
+        for (const double tangent : {0.5, 0.75, 0.95, 1.25, 1.4}) {
+            const glm::dvec3 viewer = glm::normalize(glm::dvec3(tangent, 0, 1));
+            const bool lit = std::abs(tangent - 1) < 0.3;
+            const Stokes found = point(scene, camera_on({0, 0, 0}, viewer), 64, strategy)[0];
+            const Stokes expected = fresnel_reflection(viewer.z, index) * Stokes(lit ? 2 : 0, 0, 0, 0);
+            CAPTURES(tangent, static_cast<int>(strategy), found[0], expected[0]);
+            CHECK(found[0] == doctest::Approx(expected[0]).epsilon(1e-4));
+            CHECK(std::hypot(found[1], found[2]) == doctest::Approx(std::abs(expected[1])).epsilon(1e-3));
+        }
 }
 
 TEST_CASE("a surface emits light from its front, or from both sides") {
