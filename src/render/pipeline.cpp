@@ -70,14 +70,6 @@ SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, boo
                                                              : SampledTerms::anisotropic;
 }
 
-// Returns whether lobes that an image shows at grazing angles are sampled: in images of several samples a
-// pixel with orders of its own, whose pixels are shaded in any case. Samples cost more than orders in a frame
-// in which the light rotates.
-bool samples_grazing(const Scene& scene, const RenderOptions& options, const RenderExecutor& executor) {
-    return options.choose_orders && options.tolerance > 0 && options.pixel_samples > 1 &&
-           executor.samples_pixels() && scene.distant_light()->pixels().values != nullptr;
-}
-
 }  // namespace
 
 void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
@@ -114,7 +106,10 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const bool follows_rays = nicol::follows_rays(given.method, executor);
     seen_triangles_.update(surfaces.geometry, surfaces.versions.geometry);
     SampledTerms sampled = sampled_terms(scene, given, follows_rays, surfaces.visibility != nullptr);
-    if (sampled.kind == SampledTerms::anisotropic_narrow && samples_grazing(scene, given, executor))
+    // Samples cost more than orders when the light rotates, so that images of one sample take none of these.
+    if (sampled.kind == SampledTerms::anisotropic_narrow && given.choose_orders && given.tolerance > 0 &&
+        given.pixel_samples > 1 && executor.samples_pixels() &&
+        scene.distant_light()->pixels().values != nullptr)
         sampled.narrowest = narrowest_in_harmonics(surfaces.geometry, seen_triangles_, projection);
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
