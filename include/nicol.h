@@ -749,9 +749,10 @@ typedef struct nicol_conductor {
     nicol_distribution distribution; /* distribution of the facets of a rough surface, default Beckmann */
     /* Roughness, 0.001 to 1; 0, the default: smooth. Beckmann's facets of roughness 0.01 stand for a smooth
      * surface, which is a blur of one degree. The factored method mirrors local lights with a size, and the
-     * image of an environment, without this blur; the reference method mirrors everything without it. A
-     * smooth surface does not reflect lights without a size (points, spots, projectors, and directional
-     * lights whose angular_radius is 0), because a mirror would show them as points. */
+     * image of an environment, without this blur; the reference method mirrors everything without it where
+     * the material has no other terms, such as smooth metal. A smooth surface does not reflect lights without
+     * a size (points, spots, projectors, and directional lights whose angular_radius is 0), because a mirror
+     * would show them as points. */
     float alpha;
     uint32_t reserved; /* 0 */
     /* Name of a metal with measured values: a name of Mitsuba's list such as "Au", "Ag", "Cu", "Al", "W" or
