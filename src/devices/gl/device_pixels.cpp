@@ -242,8 +242,10 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
                                static_cast<double>(chunk.first) / static_cast<double>(width * height));
         make_room_for(chunk.size);
         list_.list(chunk);
-        find_surfaces(chunk.size);
-        if (points_.fractions != nullptr) interpolate_fractions(chunk.size);
+        if (chunk.size > 0) {  // else the pixels show backs alone
+            find_surfaces(chunk.size);
+            if (points_.fractions != nullptr) interpolate_fractions(chunk.size);
+        }
         for (const PixelStretch& stretch : stretches_of(chunk, input.geometry, most, joins)) shade(stretch);
         for (const std::uint32_t points : chunk.counts) shaded += points;
         finish(chunk.size);
