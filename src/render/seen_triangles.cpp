@@ -93,7 +93,7 @@ void SeenTriangles::update(const WorldGeometry& geometry, Version version) {
         for (std::uint32_t i = 0; i < triangles; ++i) {
             const double part = (all > 0 ? twice_area(geometry, geometry.triangles[i]) / all : 0) +
                                 1 / static_cast<double>(triangles);
-            const double expected = kSampledTriangles / 2 * part;
+            const double expected = 0.5 * kSampledTriangles * part;
             passed += expected;
             if (passed < reached) continue;
             const double count = std::floor(passed - reached) + 1;
