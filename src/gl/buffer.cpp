@@ -105,9 +105,8 @@ void Buffer::bind_storage(unsigned binding, std::size_t offset, std::size_t byte
         refuse("the offset " + std::to_string(offset) + " is not a multiple of " +
                std::to_string(limits.storage_alignment));
     if (HostState* const host = context()->state().host_state) host->prepare_storage(binding);
-    std::vector<Context::State::StorageBinding>& bindings = context()->state().storages;
-    if (bindings.size() <= binding) bindings.resize(binding + std::size_t{1});
-    bindings[binding].wanted = {.buffer = id(), .offset = offset, .bytes = bytes};
+    Context::State::want(context()->state().storages, binding,
+                         Context::State::StorageRange{.buffer = id(), .offset = offset, .bytes = bytes});
 }
 
 IndexBuffer::IndexBuffer(std::shared_ptr<Context> context, std::span<const std::uint32_t> indices)

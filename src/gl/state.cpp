@@ -167,69 +167,67 @@ void Context::State::check(std::string_view what) {
     throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl, text);
 }
 
-void Context::State::remove(ObjectKind kind, GLuint id) noexcept {
-    delete_object(gl, kind, id);
-    if (kind == ObjectKind::program && used_program == id) used_program = 0;
-    if (kind == ObjectKind::buffer) {
-        for (StorageBinding& binding : storages)
-            for (StorageRange* const range : {&binding.wanted, &binding.bound})
-                if (range->buffer == id) *range = {};
-    }
-    if (kind == ObjectKind::texture) {
-        for (TextureUnit& unit : textures)
-            for (GLuint* const texture : {&unit.wanted, &unit.bound})
-                if (*texture == id) *texture = 0;
+namespace {
+
+// Forgets resources for which gone(resource).
+template <class Resource, class Gone>
+void forget(std::vector<Context::State::Binding<Resource>>& bindings, const Gone& gone) {
+    for (auto& [wanted, bound] : bindings)
+        for (Resource* const resource : {&wanted, &bound})
+            if (gone(*resource)) *resource = {};
+}
+
+// Calls bind(first, resources) for what shall be bound and is not, neighbours together.
+template <class Resource, class Bind>
+void bind_wanted(std::vector<Context::State::Binding<Resource>>& bindings, const Bind& bind) {
+    std::vector<Resource> run;
+    for (std::size_t first = 0; first < bindings.size(); ++first) {
+        if (bindings[first].wanted == bindings[first].bound) continue;
+        run.clear();
+        for (std::size_t i = first; i < bindings.size() && bindings[i].wanted != Resource(); ++i)
+            run.push_back(bindings[i].bound = bindings[i].wanted);
+        if (run.empty())  // the resource is gone, and what is bound there is not read
+            bindings[first].bound = {};
+        else
+            bind(static_cast<GLuint>(first), std::span<const Resource>(run));
     }
 }
 
+}  // namespace
+
+void Context::State::remove(ObjectKind kind, GLuint id) noexcept {
+    delete_object(gl, kind, id);
+    if (kind == ObjectKind::program && used_program == id) used_program = 0;
+    if (kind == ObjectKind::buffer)
+        forget(storages, [id](const StorageRange& range) { return range.buffer == id; });
+    if (kind == ObjectKind::texture) forget(textures, [id](GLuint texture) { return texture == id; });
+}
+
 void Context::State::bind_resources() {
-    bind_storages();
-    bind_textures();
+    bind_wanted(storages, [this](GLuint first, std::span<const StorageRange> ranges) {
+        std::vector<GLuint> buffers;
+        std::vector<GLintptr> offsets;
+        std::vector<GLsizeiptr> sizes;
+        buffers.reserve(ranges.size());
+        offsets.reserve(ranges.size());
+        sizes.reserve(ranges.size());
+        for (const StorageRange& range : ranges) {
+            buffers.push_back(range.buffer);
+            offsets.push_back(static_cast<GLintptr>(range.offset));
+            sizes.push_back(static_cast<GLsizeiptr>(range.bytes));
+        }
+        gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, first, static_cast<GLsizei>(ranges.size()),
+                            buffers.data(), offsets.data(), sizes.data());
+    });
+    bind_wanted(textures, [this](GLuint first, std::span<const GLuint> names) {
+        gl.BindTextures(first, static_cast<GLsizei>(names.size()), names.data());
+    });
 }
 
 void Context::State::forget_bindings() {
     storages.clear();
     textures.clear();
     used_program = 0;
-}
-
-void Context::State::bind_storages() {
-    std::vector<GLuint> buffers;
-    std::vector<GLintptr> offsets;
-    std::vector<GLsizeiptr> sizes;
-    for (std::size_t first = 0; first < storages.size(); ++first) {
-        if (storages[first].wanted == storages[first].bound) continue;
-        buffers.clear();
-        offsets.clear();
-        sizes.clear();
-        for (std::size_t i = first; i < storages.size() && storages[i].wanted.buffer != 0; ++i) {
-            const StorageRange& range = storages[i].bound = storages[i].wanted;
-            buffers.push_back(range.buffer);
-            offsets.push_back(static_cast<GLintptr>(range.offset));
-            sizes.push_back(static_cast<GLsizeiptr>(range.bytes));
-        }
-        if (buffers.empty()) {  // the buffer is gone, and what is bound there is not read
-            storages[first].bound = {};
-            continue;
-        }
-        gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(first),
-                            static_cast<GLsizei>(buffers.size()), buffers.data(), offsets.data(),
-                            sizes.data());
-    }
-}
-
-void Context::State::bind_textures() {
-    std::vector<GLuint> names;
-    for (std::size_t first = 0; first < textures.size(); ++first) {
-        if (textures[first].wanted == textures[first].bound) continue;
-        names.clear();
-        for (std::size_t i = first; i < textures.size() && textures[i].wanted != 0; ++i)
-            names.push_back(textures[i].bound = textures[i].wanted);
-        if (names.empty())  // the texture is gone, and the unit is not read
-            textures[first].bound = 0;
-        else
-            gl.BindTextures(static_cast<GLuint>(first), static_cast<GLsizei>(names.size()), names.data());
-    }
 }
 
 GLint Context::State::integer(GLenum name) const {

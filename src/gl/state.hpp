@@ -34,16 +34,12 @@ struct Context::State {
         std::size_t offset = 0, bytes = 0;
         bool operator==(const StorageRange&) const = default;
     };
-    /// A storage binding: what it shall have, and what OpenGL has there; empty where a host may have bound
-    /// others.
-    struct StorageBinding {
-        StorageRange wanted;
-        StorageRange bound;
-    };
-    /// A texture unit: the texture that it shall have, and the one that OpenGL has there; 0 where a host may
-    /// have bound another.
-    struct TextureUnit {
-        GLuint wanted = 0, bound = 0;
+    /// A place for a resource: the one that it shall have, and the one that OpenGL has there; Resource() for
+    /// none, and where a host may have bound another.
+    template <class Resource>
+    struct Binding {
+        Resource wanted{};
+        Resource bound{};
     };
 
     Worker worker;  ///< worker of a context of our own
@@ -64,11 +60,11 @@ struct Context::State {
     bool validates = true;              ///< whether check_command() asks at once
     bool unchecked = false;             ///< whether commands were given since the last check()
     std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
-    std::vector<StorageBinding> storages;
-    std::vector<TextureUnit> textures;
-    GLuint used_program = 0;         ///< set by us; 0 where a host may have set another
-    int independent_dispatches = 0;  ///< number of IndependentDispatches that live
-    std::filesystem::path programs;  ///< folder of linked programs; empty: no cache
+    std::vector<Binding<StorageRange>> storages;
+    std::vector<Binding<GLuint>> textures;  ///< by unit
+    GLuint used_program = 0;                ///< set by us; 0 where a host may have set another
+    int independent_dispatches = 0;         ///< number of IndependentDispatches that live
+    std::filesystem::path programs;         ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
 
     /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
@@ -88,12 +84,16 @@ struct Context::State {
     /// Binds what Buffer::bind_storage() and Texture2D::bind() asked for since the last dispatch or draw,
     /// neighbours by one command.
     void bind_resources();
+    /// Sets what a place shall have.
+    template <class Resource>
+    static void want(std::vector<Binding<Resource>>& bindings, std::size_t place, const Resource& resource) {
+        if (bindings.size() <= place) bindings.resize(place + 1);
+        bindings[place].wanted = resource;
+    }
     /// Forgets what is bound, since a host may have bound others.
     void forget_bindings();
 
 private:
-    void bind_storages();
-    void bind_textures();
     void load(Backend backend, const std::string& device);
     void read_limits();
 };

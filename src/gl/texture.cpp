@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "error.hpp"
 #include "gl/borrowed_texture.hpp"
@@ -162,9 +161,7 @@ void Texture2D::bind(unsigned unit) const {
     std::ignore = functions(*context(), "Texture2D::bind");
     require_unit("Texture2D::bind", unit, context()->limits().texture_units);
     if (HostState* const host = context()->state().host_state) host->prepare_texture(unit);
-    std::vector<Context::State::TextureUnit>& units = context()->state().textures;
-    if (units.size() <= unit) units.resize(unit + std::size_t{1});
-    units[unit].wanted = id();
+    Context::State::want(context()->state().textures, unit, GLuint{id()});
 }
 
 void Texture2D::copy_from(const Texture2D& other) {

@@ -25,8 +25,6 @@ public:
     /// Copies a layer to a texture of equal size and four floats.
     void copy_layer(int layer, Texture2D& to) const;
 
-    [[nodiscard]] int layers() const noexcept { return layers_; }
-
 private:
     Object object_;
     int width_, height_, layers_;
