@@ -77,7 +77,7 @@ const Device kCpuDevice{
 std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
                                    std::span<const std::uint8_t> current, RenderRun& run) {
     const std::size_t vertices = input.geometry.positions.size();
-    VertexLight& light = input.at_pixels ? light_of_pixels_ : light_;
+    VertexLight& light = this->light(input.at_pixels);
     light.resize(input.layout, input.light.channels(), vertices);
     const std::span normals(input.geometry.normals);
     const Relight rotation(input.layout, input.light);
@@ -106,7 +106,7 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
 }
 
 bool CpuExecutor::renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) {
-    run.workers.run([&] { (at_pixels ? light_of_pixels_ : light_).renumber(former, at_pixels); });
+    run.workers.run([&] { light(at_pixels).renumber(former, at_pixels); });
     return true;
 }
 

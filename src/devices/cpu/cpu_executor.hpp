@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     [[nodiscard]] bool follows_rays() const noexcept override { return true; }
     [[nodiscard]] bool keeps_both_lights() const noexcept override { return true; }
-    void forget_light(bool at_pixels) override { (at_pixels ? light_of_pixels_ : light_) = {}; }
+    void forget_light(bool at_pixels) override { light(at_pixels) = {}; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     bool renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) override;
@@ -50,6 +50,8 @@ private:
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
     void run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run);
+
+    [[nodiscard]] VertexLight& light(bool at_pixels) { return at_pixels ? light_of_pixels_ : light_; }
 
     // Light for the factored method, in the vertices' frames and as rows in the geometry's axes.
     VertexLight light_, light_of_pixels_;

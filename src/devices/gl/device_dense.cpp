@@ -106,14 +106,14 @@ void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelStretch& 
     const VertexRange& surface = stretch.runs.front().surface;
     const Piece& first = first_piece(stretch.runs.front());
     DeviceLight& light =
-        pixels.light(stretch.first, stretch.last, first.light.coefficients(), first.light.channels());
+        pixels.light(stretch.first(), stretch.last(), first.light.coefficients(), first.light.channels());
     for (const Piece& piece : pieces_) {
         const std::size_t begin = piece.light.first();
         if (begin >= surface.first && begin < surface.last)
-            pixels.interpolate(piece.light, begin > surface.first, stretch.first, light);
+            pixels.interpolate(piece.light, begin > surface.first, stretch.first(), light);
     }
     rotation_->set_layout(first.material->outgoing());
-    rotation_->into_frames(*pixels.points().normals, stretch.first, light);
+    rotation_->into_frames(*pixels.points().normals, stretch.first(), light);
 }
 
 void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelRun& run,

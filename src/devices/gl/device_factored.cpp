@@ -188,12 +188,13 @@ std::size_t DeviceFactored::prepare_pixels(const FactoredMethod& method, const P
 void DeviceFactored::light_pixels(const PixelInput& input, const PixelStretch& stretch,
                                   DevicePixels& pixels) {
     DeviceLight& light =
-        pixels.light(stretch.first, stretch.last, input.layout.size(), input.light.channels());
-    if (stretch.occluded < stretch.last) {
+        pixels.light(stretch.first(), stretch.last(), input.layout.size(), input.light.channels());
+    const std::size_t occluded = stretch.occluded();
+    if (occluded < stretch.last()) {
         for (const DeviceLight& of_vertices : light_)
-            pixels.interpolate(of_vertices, of_vertices.first() > 0, stretch.occluded, light);
+            pixels.interpolate(of_vertices, of_vertices.first() > 0, occluded, light);
     }
-    rotation_->into_frames(*pixels.points().normals, stretch.occluded, light);
+    rotation_->into_frames(*pixels.points().normals, occluded, light);
 }
 
 void DeviceFactored::shade_pixels(const MaterialPtr& material, const PixelRun& run,

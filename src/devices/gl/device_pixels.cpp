@@ -63,14 +63,10 @@ std::vector<PixelStretch> stretches_of(const DevicePixelList::Chunk& chunk, cons
         const std::size_t last = chunk.begin[g] + chunk.counts[g];
         for (std::size_t first = chunk.begin[g]; first < last; first += most) {
             const std::size_t end = std::min(first + most, last);
-            if (!open || !joined || end - stretches.back().first > most)
-                stretches.push_back({.first = first, .occluded = end, .last = end, .runs = {}});
+            if (!open || !joined || end - stretches.back().first() > most) stretches.emplace_back();
             open = joined;
-            PixelStretch& stretch = stretches.back();
-            stretch.last = end;
-            if (!occluded) stretch.occluded = end;
-            if (occluded && (stretch.runs.empty() || !stretch.runs.back().occluded)) stretch.occluded = first;
-            stretch.runs.push_back({.surface = surface, .occluded = occluded, .first = first, .last = end});
+            stretches.back().runs.push_back(
+                {.surface = surface, .occluded = occluded, .first = first, .last = end});
         }
     }
     return stretches;

@@ -2,6 +2,7 @@
 // Shading at pixels on the device: the points that pixels show are shaded like vertices.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -89,10 +90,15 @@ struct PixelRun {
 
 /// Runs whose light is computed together: those that are not occluded, then those that are.
 struct PixelStretch {
-    std::size_t first;     ///< index of the first point, a multiple of gl::kGroupOfVertices
-    std::size_t occluded;  ///< end of the points that are not occluded, or the first one that is
-    std::size_t last;
-    std::vector<PixelRun> runs;  ///< ascending; points between them have any values
+    std::vector<PixelRun> runs;  ///< ascending, at least one; points between them have any values
+
+    [[nodiscard]] std::size_t first() const { return runs.front().first; }
+    [[nodiscard]] std::size_t last() const { return runs.back().last; }
+    /// Returns the first occluded point; last() if there is none.
+    [[nodiscard]] std::size_t occluded() const {
+        const auto found = std::ranges::find(runs, true, &PixelRun::occluded);
+        return found != runs.end() ? found->first : last();
+    }
 };
 
 /// Shading of the points that pixels show. All members must be called inside run() of the context.
