@@ -104,13 +104,13 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
     const bool follows_rays = nicol::follows_rays(given.method, executor);
-    seen_triangles_.update(surfaces.geometry, surfaces.versions.geometry);
     SampledTerms sampled = sampled_terms(scene, given, follows_rays, surfaces.visibility != nullptr);
     // Samples cost more than orders when the light rotates, so that images of one sample take none of these.
     if (sampled.kind == SampledTerms::anisotropic_narrow && given.choose_orders && given.tolerance > 0 &&
         given.pixel_samples > 1 && executor.samples_pixels() &&
         scene.distant_light()->pixels().values != nullptr)
-        sampled.narrowest = narrowest_in_harmonics(surfaces.geometry, seen_triangles_, projection);
+        sampled.narrowest =
+            narrowest_in_harmonics(surfaces.geometry, seen_triangles_.update(surfaces), projection);
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
     LeastLight least;
@@ -241,8 +241,9 @@ bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
     if (automatic && ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
                       local_lights_.any() || follows_smooth(options, executor)))
         return true;
-    const double error = interpolation_error_.of(visibility_.state().geometry, seen_triangles_, projection,
-                                                 split_.rest(), glm::transpose(light_to_geometry));
+    const double error =
+        interpolation_error_.of(visibility_.state().geometry, seen_triangles_.update(visibility_.state()),
+                                projection, split_.rest(), glm::transpose(light_to_geometry));
     if (automatic && error > options.tolerance) return true;
     predicted_.add_relative(error);
     statistics.interpolation_error = error;
@@ -263,7 +264,8 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
     }
     ShadowError::Seen seen;
     run.workers.run([&] {
-        seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0, seen_triangles_, projection);
+        seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0,
+                                seen_triangles_.update(visibility_.state()), projection);
     });
     run.statistics.shadow_error = seen.error;
     predicted_.add_relative(seen.error);

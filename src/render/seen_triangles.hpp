@@ -10,6 +10,7 @@
 
 #include "scene/projection.hpp"
 #include "surfaces/geometry.hpp"
+#include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -32,6 +33,11 @@ class SeenTriangles {
 public:
     /// Takes a sample if `version` is not that of the last call.
     void update(const WorldGeometry& geometry, Version version);
+    /// The same for the state's geometry; returns this object.
+    const SeenTriangles& update(const SurfaceState& surfaces) {
+        update(surfaces.geometry, surfaces.versions.geometry);
+        return *this;
+    }
 
     /// Calls use(index, share) for triangles of the sample that face the viewer and are in view, whether
     /// others hide them or not. The shares of an image stand for the triangles that the sample leaves out.
