@@ -279,7 +279,7 @@ bool Agreement::find_wrong(std::span<const std::uint64_t> traced_bits, const Ray
         }
     if (count == 0) return false;
     if (count > few) traced.may_close = spared;
-    few = spared.size() * RayBundle::kRays;
+    few = spared.size() * RayBundle::kRays;  // of the rays beside the sample, any number may differ
     bool any = false;
     std::ranges::copy(traced_bits, bits.begin());
     std::ranges::fill(checked, std::uint64_t{0});
