@@ -183,6 +183,7 @@ void Program::update(std::string_view name, unsigned type, const Value& value, S
     static_assert(sizeof(Value) <= sizeof(uniform.last));
     const auto bytes = std::as_bytes(std::span(&value, 1));
     if (uniform.known && std::ranges::equal(bytes, std::span(uniform.last).first(bytes.size()))) return;
+    uniform.known = false;  // what sets it may fail after OpenGL has taken it
     set(gl, uniform.location);
     std::ranges::copy(bytes, uniform.last.begin());
     uniform.known = true;

@@ -177,7 +177,8 @@ void forget(std::vector<Context::State::Binding<Resource>>& bindings, const Gone
             if (gone(*resource)) *resource = {};
 }
 
-// Calls bind(first, resources) for what shall be bound and is not, neighbours together.
+// Calls bind(first, resources) for what shall be bound and is not, neighbours together. A call that throws
+// for lack of memory has bound nothing, so what is bound is noted after it.
 template <class Resource, class Bind>
 void bind_wanted(std::vector<Context::State::Binding<Resource>>& bindings, const Bind& bind) {
     std::vector<Resource> run;
@@ -185,11 +186,13 @@ void bind_wanted(std::vector<Context::State::Binding<Resource>>& bindings, const
         if (bindings[first].wanted == bindings[first].bound) continue;
         run.clear();
         for (std::size_t i = first; i < bindings.size() && bindings[i].wanted != Resource(); ++i)
-            run.push_back(bindings[i].bound = bindings[i].wanted);
-        if (run.empty())  // the resource is gone, and what is bound there is not read
+            run.push_back(bindings[i].wanted);
+        if (run.empty()) {  // the resource is gone, and what is bound there is not read
             bindings[first].bound = {};
-        else
-            bind(static_cast<GLuint>(first), std::span<const Resource>(run));
+            continue;
+        }
+        bind(static_cast<GLuint>(first), std::span<const Resource>(run));
+        for (std::size_t i = 0; i < run.size(); ++i) bindings[first + i].bound = run[i];
     }
 }
 
