@@ -44,8 +44,9 @@ struct Tent {
     }
 };
 
-nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer framebuffer) {
-    static const nicol_camera camera = front_camera();
+nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer framebuffer,
+                    double distance = 3) {
+    const nicol_camera camera = front_camera(distance);
     nicol_render_options options = plain_options();
     options.method = variant.method;
     options.executor = variant.executor;
@@ -115,5 +116,43 @@ TEST_CASE("a render that lacks memory says so and harms nothing") {
             CAPTURE(reach == Reach::thread);
             render_in_shortages(context, tent, variant, reach);
         }
+    }
+}
+
+// What a context notes of OpenGL's state outlives a frame, so that a note that is wrong shows in others.
+TEST_CASE("a frame that lacks memory harms no other frame of its scene") {
+    nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
+    context_options.threads = 1;
+    const Owned context(make(nicol_context_create, &context_options));
+    const Tent tent(context);
+    constexpr double distances[] = {3, 4};
+    for (const Variant& variant : variants) {
+        CAPTURE(std::string(variant.name));
+        const Owned scene(simple_scene(context, tent.environment, tent.mesh, tent.material));
+        const Owned framebuffer(framebuffer_of(context, size, size, 3));
+        std::vector<float> expected[2];
+        std::int64_t allocations = 0, failed = 0;
+        for (int round = 0; round < 2; ++round) {  // the second round has what frames share
+            for (const std::size_t k : {0U, 1U}) {
+                const Shortage none;
+                OK(render(scene, variant, framebuffer, distances[k]));
+                allocations = none.count();
+                expected[k] = read_all(framebuffer);
+            }
+        }
+        REQUIRE(expected[0] != expected[1]);
+        for (std::int64_t position = 0; position < allocations; ++position) {
+            CAPTURE(position);
+            const std::size_t k = position % 2 == 0 ? 0 : 1;
+            {
+                const Shortage shortage(position, false);
+                if (render(scene, variant, framebuffer, distances[k]) != NICOL_OK) ++failed;
+            }
+            for (const std::size_t other : {1 - k, k}) {
+                OK(render(scene, variant, framebuffer, distances[other]));
+                REQUIRE(read_all(framebuffer) == expected[other]);
+            }
+        }
+        CHECK(failed > allocations / 2);
     }
 }
