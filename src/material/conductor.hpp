@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct RoughConductorParameters {
 /// Roughness of the Beckmann facets that replace a smooth surface, see Material::smooth(). The facets blur by
 /// about one degree, less than order 100 resolves.
 inline constexpr double kSmoothAlpha = 0.01;
+/// Times the squared cosine of the view angle, the factor that makes the pBRDF of such facets in the mirror
+/// direction Fresnel's matrix: without shadowing it is that matrix times D / (4 cos^2) with
+/// D = 1 / (pi alpha^2).
+inline constexpr double kMirrorScale = 4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha;
 
 /// Returns whether alpha is 0, which means a smooth surface. If so, sets alpha to kSmoothAlpha and the
 /// distribution to Beckmann.

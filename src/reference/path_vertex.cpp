@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "material/conductor.hpp"
 #include "material/reflectance.hpp"
@@ -184,9 +183,7 @@ bool PathVertex::mirrors() const {
 
 void PathVertex::extend_mirrored() const {
     evaluate(mirrored(), true);
-    // In the mirror direction the facets' pBRDF is Fresnel's matrix times D / (4 cos^2) with
-    // D = 1 / (pi alpha^2), and evaluate() multiplies it by the cosine.
-    const double scale = 4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * hit_.towards_viewer.z;
+    const double scale = kMirrorScale * hit_.towards_viewer.z;  // evaluate() multiplies by the other cosine
     for (std::size_t c = 0; c < workspace_.throughput.size(); ++c)
         workspace_.throughput[c] = workspace_.throughput[c] * (scale * workspace_.scattering[c]);
 }

@@ -2,7 +2,6 @@
 #include "shading/reflected_light.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include "material/conductor.hpp"
@@ -288,9 +287,7 @@ LaneVectors ReflectedLight::mirrored_directions() const {
 void ReflectedLight::add_mirrored(const Material& material, const LayerWeights* weights,
                                   const LaneLight& light, std::uint32_t points,
                                   std::span<std::array<Lanes, 4>> out) const {
-    // In the mirror direction the facets' pBRDF is Fresnel's matrix times D / (4 cos^2) with D = 1 / (pi
-    // alpha^2), without shadowing or masking.
-    constexpr auto scale = static_cast<float>(4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha);
+    constexpr auto scale = static_cast<float>(kMirrorScale);
     const auto has = [&](int term) { return material.smooth(term); };
     add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
               {.by_cosine = 0, .by_square = scale}, out);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -27,9 +26,7 @@ namespace {
 // the surface's frame.
 void add_mirrors(const Material& material, const glm::dvec3& towards_viewer, const glm::vec3& weights,
                  std::span<Mueller> out) {
-    // ReflectedLight::add_mirrored() scales a smooth term by the same factor.
-    const double scale =
-        4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * towards_viewer.z * towards_viewer.z;
+    const double scale = kMirrorScale * towards_viewer.z * towards_viewer.z;
     add_terms(
         material, {-towards_viewer.x, -towards_viewer.y, towards_viewer.z}, towards_viewer, weights, scale,
         [&](int term) { return material.smooth(term); }, out);
