@@ -7,6 +7,8 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "material/material.hpp"
 
@@ -38,6 +40,21 @@ protected:
         key += black ? " black" : " lit";
     }
     return key;
+}
+
+/// Returns the indices of materials in groups of equal terms. Materials whose terms are unknown are alone.
+[[nodiscard]] inline std::vector<std::vector<std::size_t>> groups_by_terms(
+    std::span<const MaterialPtr> materials) {
+    std::vector<std::vector<std::size_t>> groups;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        std::string key = terms_key(*materials[i]);
+        const std::size_t next = groups.size();
+        const std::size_t group = key.empty() ? next : known.try_emplace(std::move(key), next).first->second;
+        if (group == next) groups.emplace_back();
+        groups[group].push_back(i);
+    }
+    return groups;
 }
 
 /// Results for the terms of materials, kept for those that several materials of a list have.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <utility>
 
 #include "material/shared_terms.hpp"
+#include "methods/projected_materials.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_cache.hpp"
 #include "surfaces/plain_materials.hpp"
@@ -59,23 +61,24 @@ void HighOrderTransfer::fit(const TransferInput& input, const DistantLight& ligh
     KnownByTerms<KnownMoments> moments(projected);
     std::optional<SplitBasis> basis;
     if (form == HighOrders::split && !fresh.empty()) basis.emplace(light.low, light.high);
+    std::vector<std::optional<HighOrderFactors>> factors(fresh.size());
+    std::vector<std::vector<ConvolutionKernel>> of_fresh(fresh.size());
+    project_each(projected, materials.size(), run, [&](std::size_t i) {
+        if (form == HighOrders::convolution) {
+            const int channels = fresh[i]->channels() == 1 ? 1 : input.channels;
+            of_fresh[i] = mirrored_kernels(*projected[i], light.high, channels);
+        } else {
+            factors[i] = load_or_fit(*projected[i], *basis, input.channels, moments.of(*projected[i]),
+                                     folder_, notice_);
+        }
+    });
     for (std::size_t i = 0; i < fresh.size(); ++i) {
-        const MaterialPtr& material = fresh[i];
-        run.progress.report("project",
-                            static_cast<double>(parts.size()) / static_cast<double>(materials.size()));
-        ++run.statistics.materials_projected;
-        run.workers.run([&] {
-            Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
-            if (form == HighOrders::convolution) {
-                const int channels = material->channels() == 1 ? 1 : input.channels;
-                kernels[material] = mirrored_kernels(*projected[i], light.high, channels);
-            } else {
-                part.factors = load_or_fit(*projected[i], *basis, input.channels, moments.of(*projected[i]),
-                                           folder_, notice_);
-            }
-            parts.emplace(material, std::move(part));
-        });
+        Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
+        if (factors[i]) part.factors = *std::move(factors[i]);
+        if (form == HighOrders::convolution) kernels.emplace(fresh[i], std::move(of_fresh[i]));
+        parts.emplace(fresh[i], std::move(part));
     }
+    run.statistics.materials_projected += fresh.size();
     known = std::move(parts);
     kernels_ = std::move(kernels);
 }

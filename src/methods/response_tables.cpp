@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "material/shared_terms.hpp"
+#include "methods/projected_materials.hpp"
 #include "surfaces/plain_materials.hpp"
 
 namespace nicol {
@@ -57,15 +59,13 @@ std::size_t ResponseTables::project(const TransferInput& input, const Choice& ch
             chosen.push_back(some_terms(material, [&](int term) { return choice.has(*material, term); }));
         }
         KnownByTerms<ResponseTable::KnownRows> rows(chosen);
-        for (std::size_t i = 0; i < fresh.size(); ++i) {
-            run.progress.report("project",
-                                static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
-            ++projected;
-            run.workers.run([&] {
-                tables.emplace(fresh[i], load_or_build(*chosen[i], layout, input.channels, folder_, notice_,
-                                                       rows.of(*chosen[i])));
-            });
-        }
+        std::vector<std::optional<ResponseTable>> made(fresh.size());
+        project_each(chosen, materials.size(), run, [&](std::size_t i) {
+            made[i] =
+                load_or_build(*chosen[i], layout, input.channels, folder_, notice_, rows.of(*chosen[i]));
+        });
+        for (std::size_t i = 0; i < fresh.size(); ++i) tables.emplace(fresh[i], *std::move(made[i]));
+        projected = fresh.size();
         known = std::move(tables);
         run.statistics.project_ms += watch.milliseconds();
     });

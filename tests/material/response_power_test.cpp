@@ -122,6 +122,7 @@ TEST_CASE("tables of materials whose terms differ by weights alone share rows") 
         CHECK(terms_key(*red) == terms_key(*green));
         CHECK(terms_key(*rough) != terms_key(*green));
         const std::vector<MaterialPtr> all{red, rough, green};
+        CHECK(groups_by_terms(all) == std::vector<std::vector<std::size_t>>{{0, 2}, {1}});
         KnownByTerms<ResponseTable::KnownRows> known(all);
         CHECK(known.of(*rough) == nullptr);
         REQUIRE(known.of(*red) != nullptr);
