@@ -2,6 +2,7 @@
 // Images in common formats: PNG, JPEG, BMP, TGA and Radiance HDR.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,14 @@ struct Bitmap {
     int channels = 0;           ///< 1 (grey), 2 (with alpha), 3 (R G B) or 4 (with alpha)
     bool linear = false;        ///< radiance; else values of 0 to 1 with sRGB-encoded colours
     std::vector<float> values;  ///< [y][x][channel], row 0 at the top
+    /// The numbers n of values n / 255, which `values` then leaves out; see BitmapValues::codes.
+    std::vector<std::uint8_t> codes{};
+};
+
+/// Form of the values of images of 8 bits.
+enum class BitmapValues : std::uint8_t {
+    floats,
+    codes  ///< as they are in the file, in a quarter of the memory
 };
 
 /// Returns whether the suffix is one of a bitmap: .png, .jpg, .jpeg, .bmp, .tga, .hdr or .rgbe, in any case.
@@ -27,10 +36,11 @@ struct Bitmap {
 /// Error(unsupported) for another format or an image beyond kMaxImageSide or kMaxImagePixels;
 /// Error(invalid_file) if the file is empty, damaged or truncated. Takes the memory of the values from
 /// `budget` before decoding, and inflates no more compressed pixels than the image holds.
-[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& budget = {});
+[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& budget = {},
+                                 BitmapValues values = BitmapValues::floats);
 /// Decodes the bytes of a file. `file` is their name and is not opened.
 [[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, std::string_view bytes,
-                                 const LoadBudget& budget = {});
+                                 const LoadBudget& budget = {}, BitmapValues values = BitmapValues::floats);
 
 /// Returns the bitmap's colours as unpolarized light, in one channel if the bitmap is grey. Alpha is not
 /// used.

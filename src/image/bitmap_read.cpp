@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -137,10 +138,11 @@ void check_size(const path& file, std::size_t bytes, int width, int height) {
                                std::to_string(width) + " x " + std::to_string(height) + " pixels");
 }
 
-/// Decodes with one of stb_image's functions and divides numbers by `one`.
+/// Decodes with one of stb_image's functions. Returns the numbers, which stb_image keeps.
 template <class Number>
-void decode(const path& file, std::string_view bytes, float one, const LoadBudget& budget, Bitmap& out,
-            Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
+std::span<const Number> decode(const path& file, std::string_view bytes, const LoadBudget& budget,
+                               Bitmap& out,
+                               Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
     Source source{.left = bytes, .budget = budget};
     const stbi_io_callbacks callbacks = source.callbacks();
     const Number* const pixels = load(&callbacks, &source, &out.width, &out.height, &out.channels, 0);
@@ -149,8 +151,14 @@ void decode(const path& file, std::string_view bytes, float one, const LoadBudge
     const std::size_t count = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) *
                               static_cast<std::size_t>(out.channels);
     budget.check();
-    out.values.resize(count);
-    for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels[i]) / one;
+    return {pixels, count};
+}
+
+/// Sets the values to numbers that are divided by `one`.
+template <class Number>
+void set_values(std::span<const Number> numbers, float one, Bitmap& out) {
+    out.values.reserve(numbers.size());
+    for (const Number number : numbers) out.values.push_back(static_cast<float>(number) / one);
 }
 
 /// Returns the largest block that stb_image needs for an image: its pixels as floats; or its pixels of 16
@@ -232,7 +240,8 @@ void read_header_by_stb(const path& file, std::string_view bytes, const LoadBudg
     check_size(file, bytes.size(), out.width, out.height);
 }
 
-void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, Bitmap& out) {
+void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, BitmapValues values,
+                 Bitmap& out) {
     read_header_by_stb(file, bytes, budget, out);
     take_values(out, budget);
     const StbMemory memory(largest_block(bytes.size(), out.width, out.height));
@@ -240,36 +249,40 @@ void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& bud
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));
     if (stbi_is_hdr_from_memory(data, size) != 0) {
         out.linear = true;
-        decode<float>(file, bytes, 1, budget, out, stbi_loadf_from_callbacks);
+        set_values(decode<float>(file, bytes, budget, out, stbi_loadf_from_callbacks), 1, out);
         undo_exposure(file, bytes, out);
     } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
-        decode<stbi_us>(file, bytes, 65535, budget, out, stbi_load_16_from_callbacks);
+        set_values(decode<stbi_us>(file, bytes, budget, out, stbi_load_16_from_callbacks), 65535, out);
     } else {
-        decode<stbi_uc>(file, bytes, 255, budget, out, stbi_load_from_callbacks);
+        const std::span codes = decode<stbi_uc>(file, bytes, budget, out, stbi_load_from_callbacks);
+        if (values == BitmapValues::codes)
+            out.codes.assign(codes.begin(), codes.end());
+        else
+            set_values(codes, 255, out);
     }
 }
 
 }  // namespace
 
-Bitmap read_bitmap(const path& file, const LoadBudget& budget) {
-    return read_bitmap(file, read_bytes(file, budget), budget);
+Bitmap read_bitmap(const path& file, const LoadBudget& budget, BitmapValues values) {
+    return read_bitmap(file, read_bytes(file, budget), budget, values);
 }
 
-Bitmap read_bitmap(const path& file, std::string_view bytes, const LoadBudget& budget) {
+Bitmap read_bitmap(const path& file, std::string_view bytes, const LoadBudget& budget, BitmapValues values) {
     if (bytes.empty()) invalid_file(file, "is empty");
     Bitmap out;
     if (is_jpeg(bytes)) {
         read_jpeg_header(file, bytes, out);
         check_size(file, bytes.size(), out.width, out.height);
         take_values(out, budget);
-        read_jpeg_pixels(file, bytes, out);
+        read_jpeg_pixels(file, bytes, values, out);
         budget.check();
         return out;
     }
     if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
         unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
     try {
-        read_by_stb(file, bytes, budget, out);
+        read_by_stb(file, bytes, budget, values, out);
     } catch (const Overrun&) {
         invalid_file(file, "is truncated");
     } catch (const MoreThanPixels&) {

@@ -13,12 +13,12 @@ namespace {
 
 }  // namespace
 
-Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& /*budget*/) {
+Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& /*budget*/, BitmapValues /*values*/) {
     refuse_bitmap(file);
 }
 
 Bitmap read_bitmap(const std::filesystem::path& file, std::string_view /*bytes*/,
-                   const LoadBudget& /*budget*/) {
+                   const LoadBudget& /*budget*/, BitmapValues /*values*/) {
     refuse_bitmap(file);
 }
 

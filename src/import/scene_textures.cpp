@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "import/scene_textures.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <utility>
 
@@ -23,76 +28,73 @@ float luminance(const glm::vec3& rgb) {
 /// The pixels of an image that a texture is made of, with what it does to them.
 class Pixels {
 public:
-    Pixels(const TextureImage& image, const TextureSpecification& description)
+    Pixels(const ImagePixels& image, const TextureSpecification& description)
         : image_(image), description_(description) {}
 
     [[nodiscard]] TextureImage colors() const {
-        return rgb(image_.channels == 1 && is_grey(description_) ? 1 : 3);
+        if (image_.channels() != 1 || !is_grey(description_)) return vectors();
+        return made<1>([](const glm::vec3& value, float* out) { *out = value.x; });
     }
 
     /// Returns three channels, also of a grey image.
-    [[nodiscard]] TextureImage vectors() const { return rgb(3); }
+    [[nodiscard]] TextureImage vectors() const {
+        return made<3>([](const glm::vec3& value, float* out) {
+            out[0] = value.x;
+            out[1] = value.y;
+            out[2] = value.z;
+        });
+    }
 
     [[nodiscard]] TextureImage numbers() const {
-        TextureImage out = empty(1);
-        const bool one = image_.channels == 1 || description_.part != Part::color;
-        each([&](const glm::vec3& value) { out.values.push_back(one ? value.x : luminance(value)); });
-        return out;
+        const bool one = image_.channels() == 1 || description_.part != Part::color;
+        return made<1>(
+            [one](const glm::vec3& value, float* out) { *out = one ? value.x : luminance(value); });
     }
 
 private:
-    [[nodiscard]] TextureImage rgb(int channels) const {
-        TextureImage out = empty(channels);
-        each([&](const glm::vec3& value) {
-            out.values.insert(out.values.end(), {value.x, value.y, value.z});
-            if (out.channels == 1) out.values.resize(out.values.size() - 2);
-        });
-        return out;
-    }
-
     static bool is_grey(const TextureSpecification& d) {
         return d.factor == glm::dvec3(d.factor.x) && d.offset == glm::dvec3(d.offset.x);
     }
 
-    [[nodiscard]] TextureImage empty(int channels) const {
-        TextureImage out{.width = image_.width, .height = image_.height, .channels = channels, .values = {}};
-        out.values.reserve(count() * static_cast<std::size_t>(channels) + 2);
-        return out;
-    }
-    [[nodiscard]] std::size_t count() const {
-        return image_.values.size() / static_cast<std::size_t>(image_.channels);
-    }
-
-    [[nodiscard]] glm::vec3 part(const float* pixel) const {
-        const auto channel = [&](int c) { return pixel[image_.channels == 1 ? 0 : c]; };
+    [[nodiscard]] glm::vec3 part(std::size_t pixel) const {
+        const glm::vec4 all = image_.at(pixel);
         switch (description_.part) {
             case Part::color:
                 break;
             case Part::red:
-                return glm::vec3(channel(0));
+                return glm::vec3(all.x);
             case Part::green:
-                return glm::vec3(channel(1));
+                return glm::vec3(all.y);
             case Part::blue:
-                return glm::vec3(channel(2));
+                return glm::vec3(all.z);
             case Part::coverage:
-                return glm::vec3(image_.channels == 4 ? pixel[3] : 1.0F);
+                return glm::vec3(all.w);
         }
-        return {channel(0), channel(1), channel(2)};
+        return all;
     }
 
-    template <class Add>
-    void each(Add add) const {
+    /// Returns the image of what put(value, values) makes of each pixel's value.
+    template <int channels, class Put>
+    [[nodiscard]] TextureImage made(const Put& put) const {
+        constexpr std::size_t grain = 1U << 14U;
+        TextureImage out{
+            .width = image_.width(), .height = image_.height(), .channels = channels, .values = {}};
+        out.values.reserve(image_.count() * channels + 1);  // image_texture() appends one
+        out.values.resize(image_.count() * channels);
         const glm::vec3 factor(description_.factor), offset(description_.offset);
-        const auto step = static_cast<std::size_t>(image_.channels);
-        for (std::size_t i = 0; i < image_.values.size(); i += step) {
-            glm::vec3 value = factor * part(&image_.values[i]) + offset;
-            if (description_.clamped) value = glm::clamp(value, 0.0F, 1.0F);
-            if (description_.squared) value *= value;
-            add(value);
-        }
+        using Range = tbb::blocked_range<std::size_t>;
+        tbb::parallel_for(Range(0, image_.count(), grain), [&](const Range& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                glm::vec3 value = factor * part(i) + offset;
+                if (description_.clamped) value = glm::clamp(value, 0.0F, 1.0F);
+                if (description_.squared) value *= value;
+                put(value, &out.values[i * channels]);
+            }
+        });
+        return out;
     }
 
-    const TextureImage& image_;
+    const ImagePixels& image_;
     const TextureSpecification& description_;
 };
 
@@ -124,8 +126,8 @@ TexturePtr SceneTextures::vector(const TextureSpecification& description) {
 
 double SceneTextures::aspect(const TextureSpecification& d) const {
     if (d.kind != TextureSpecification::Kind::image) return 1;
-    const TextureImage& image = images_.at({d.filename, d.raw});
-    return static_cast<double>(image.width) / image.height;
+    const ImagePixels& image = images_.at({d.filename, d.raw});
+    return static_cast<double>(image.width()) / image.height();
 }
 
 TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
@@ -205,14 +207,14 @@ void SceneTextures::require_rgb(const char* what) const {
                                                 " other channels; give grey ones");
 }
 
-const TextureImage& SceneTextures::image(const TextureSpecification& d) {
+const ImagePixels& SceneTextures::image(const TextureSpecification& d) {
     const auto [entry, is_new] = images_.try_emplace({d.filename, d.raw});
-    TextureImage& image = entry->second;
+    ImagePixels& image = entry->second;
     if (is_new)
-        image = d.bytes ? load_texture_image(d.filename, *d.bytes, d.raw, files_.budget())
+        image = d.bytes ? load_image_pixels(d.filename, *d.bytes, d.raw, files_.budget())
                         : files_.read(d.filename,
-                                      [&] { return load_texture_image(d.filename, d.raw, files_.budget()); });
-    files_.budget().take_pixels(d.filename, image.values.size() / static_cast<std::size_t>(image.channels));
+                                      [&] { return load_image_pixels(d.filename, d.raw, files_.budget()); });
+    files_.budget().take_pixels(d.filename, image.count());
     return image;
 }
 

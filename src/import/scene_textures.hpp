@@ -13,6 +13,7 @@
 #include "import/scene_color.hpp"
 #include "import/scene_files.hpp"
 #include "import/texture_specification.hpp"
+#include "texture/image_pixels.hpp"
 #include "texture/texture.hpp"
 
 namespace nicol::scene {
@@ -62,12 +63,12 @@ private:
     void require_rgb(const char* what) const;
     [[nodiscard]] glm::vec4 value(const ColorDescription& color, Use use) const;
     [[nodiscard]] TexturePtr made(const TextureSpecification& description, Use use);
-    [[nodiscard]] const TextureImage& image(const TextureSpecification& description);
+    [[nodiscard]] const ImagePixels& image(const TextureSpecification& description);
 
     const SceneChannels& channels_;
     SceneFiles& files_;
     /// Images by name, and by whether they are raw.
-    std::map<std::pair<std::filesystem::path, bool>, TextureImage> images_;
+    std::map<std::pair<std::filesystem::path, bool>, ImagePixels> images_;
     struct Made {
         TextureSpecification description;
         Use use;

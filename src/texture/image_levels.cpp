@@ -55,7 +55,34 @@ std::vector<float> halved(const std::vector<float>& values, std::size_t outer, i
     return out;
 }
 
+/// Halves both sides of an image of even sides, in one pass. Rounds as two calls of halved() do.
+template <std::size_t channels>
+std::vector<float> quartered(const TextureImage& image) {
+    const auto line = static_cast<std::size_t>(image.width) * channels;
+    const std::size_t half = line / 2, rows = static_cast<std::size_t>(image.height) / 2;
+    std::vector<float> out;
+    out.reserve(half * rows + 1);  // image_texture() appends one
+    for (std::size_t y = 0; y < rows; ++y) {
+        const float* const upper = image.values.data() + 2 * y * line;
+        const float* const lower = upper + line;
+        for (std::size_t x = 0; x < line; x += 2 * channels)
+            for (std::size_t c = 0; c < channels; ++c) {
+                const std::size_t left = x + c, right = left + channels;
+                out.push_back(0.5F * (0.5F * upper[left] + 0.5F * upper[right]) +
+                              0.5F * (0.5F * lower[left] + 0.5F * lower[right]));
+            }
+    }
+    return out;
+}
+
 TextureImage next_level(const TextureImage& image) {
+    if (image.width % 2 == 0 && image.height % 2 == 0)
+        return {.width = image.width / 2,
+                .height = image.height / 2,
+                .channels = image.channels,
+                .values = image.channels == 1   ? quartered<1>(image)
+                          : image.channels == 3 ? quartered<3>(image)
+                                                : quartered<4>(image)};
     const auto columns = static_cast<std::size_t>(std::max(1, image.width / 2));
     const auto rows = static_cast<std::size_t>(image.height);
     const auto channels = static_cast<std::size_t>(image.channels);

@@ -7,6 +7,7 @@
 #include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/exr_colors.hpp"
+#include "texture/image_pixels.hpp"
 #include "texture/texture.hpp"
 
 namespace nicol {
@@ -34,6 +35,18 @@ std::vector<float> four_channels(const std::vector<float>& two) {
     return out;
 }
 
+// Decodes all values from sRGB but every `step`th; 0: all.
+void decode_all_but(std::size_t step, std::vector<float>& values) {
+    const std::array<float, kCodes>& table = decoded_codes();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (step != 0 && i % step == step - 1) continue;
+        float& value = values[i];
+        const float code = std::nearbyint(value * (kCodes - 1));
+        const bool whole = code >= 0 && code < kCodes && code / (kCodes - 1) == value;
+        value = whole ? table[static_cast<std::size_t>(code)] : srgb_to_linear(value);
+    }
+}
+
 TextureImage image_of(Bitmap bitmap, bool raw) {
     TextureImage image{
         .width = bitmap.width,
@@ -44,22 +57,36 @@ TextureImage image_of(Bitmap bitmap, bool raw) {
     return image;
 }
 
+bool is_exr(const std::filesystem::path& file) {
+    return suffix_of(file) == ".exr";
+}
+
 }  // namespace
 
 void decode_srgb(TextureImage& image) {
-    const std::array<float, kCodes>& table = decoded_codes();
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-        if (image.channels == 4 && i % 4 == 3) continue;
-        float& value = image.values[i];
-        const float code = std::nearbyint(value * (kCodes - 1));
-        const bool whole = code >= 0 && code < kCodes && code / (kCodes - 1) == value;
-        value = whole ? table[static_cast<std::size_t>(code)] : srgb_to_linear(value);
-    }
+    decode_all_but(image.channels == 4 ? 4 : 0, image.values);
+}
+
+ImagePixels::ImagePixels(Bitmap bitmap, bool raw) : bitmap_(std::move(bitmap)) {
+    const bool encoded = !raw && !bitmap_.linear;
+    const std::size_t coverage = bitmap_.channels % 2 == 0 ? static_cast<std::size_t>(bitmap_.channels) : 0;
+    if (encoded) decode_all_but(coverage, bitmap_.values);
+    for (std::size_t n = 0; n < colors_.size(); ++n)
+        colors_[n] = encoded ? decoded_codes()[257 * n] : static_cast<float>(n) / 255;
+}
+
+ImagePixels load_image_pixels(const std::filesystem::path& file, bool raw, const LoadBudget& budget) {
+    return {is_exr(file) ? read_exr_colors(file, budget) : read_bitmap(file, budget, BitmapValues::codes),
+            raw};
+}
+
+ImagePixels load_image_pixels(const std::filesystem::path& file, std::string_view bytes, bool raw,
+                              const LoadBudget& budget) {
+    return {read_bitmap(file, bytes, budget, BitmapValues::codes), raw};
 }
 
 TextureImage load_texture_image(const std::filesystem::path& file, bool raw, const LoadBudget& budget) {
-    return image_of(suffix_of(file) == ".exr" ? read_exr_colors(file, budget) : read_bitmap(file, budget),
-                    raw);
+    return image_of(is_exr(file) ? read_exr_colors(file, budget) : read_bitmap(file, budget), raw);
 }
 
 TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes, bool raw,

@@ -6,8 +6,10 @@
 #include <ImfOutputFile.h>
 
 #include "image/observer.hpp"
+#include "import/png_file.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
+#include "texture/image_pixels.hpp"
 #include "texture/texture.hpp"
 
 using namespace nicol;
@@ -79,6 +81,34 @@ TEST_CASE("PNG and EXR of the same values are the same texture") {
         }
         CHECK(largest_difference(from_png.values, from_exr.values) < 2e-7);
         CHECK(from_exr.values == (raw ? numbers : linear));
+    }
+}
+
+TEST_CASE("pixels that are decoded where they are used are those of the texture") {
+    const TemporaryFolder folder;
+    std::vector<std::uint8_t> codes;
+    for (int i = 0; i < 16 * 16; ++i)
+        for (const int step : {7, 11, 13, 17}) codes.push_back(static_cast<std::uint8_t>(i * step));
+    for (const int channels : {1, 2, 3, 4}) {
+        const std::vector<std::uint8_t> some(codes.begin(), codes.begin() + 256 * channels);
+        folder.write("a.png", png_bytes(16, 16, channels, some));
+        write_channels(folder / "a.exr", 1, 1, {"A", "B", "G", "R"}, {0.5F, 3, 2, 1});
+        for (const char* name : {"a.png", "a.exr"})
+            for (const bool raw : {true, false}) {
+                CAPTURES(channels, name, raw);
+                const TextureImage image = load_texture_image(folder / name, raw);
+                const ImagePixels pixels = load_image_pixels(folder / name, raw);
+                REQUIRE(pixels.count() * static_cast<std::size_t>(pixels.channels()) == image.values.size());
+                CHECK(pixels.width() == image.width);
+                CHECK(pixels.channels() == image.channels);
+                for (std::size_t i = 0; i < pixels.count(); ++i) {
+                    const float* const of = &image.values[i * static_cast<std::size_t>(image.channels)];
+                    const glm::vec4 expected =
+                        image.channels == 1 ? glm::vec4(of[0], of[0], of[0], 1)
+                                            : glm::vec4(of[0], of[1], of[2], image.channels == 4 ? of[3] : 1);
+                    CHECK(pixels.at(i) == expected);
+                }
+            }
     }
 }
 

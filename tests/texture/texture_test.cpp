@@ -217,6 +217,21 @@ TEST_CASE("levels halve an image, and every one has its mean") {
                   doctest::Approx(static_cast<double>(image_texture(image)->mean().y)).epsilon(1e-5));
         }
     }
+    for (const int channels : {1, 3, 4}) {
+        const TextureImage image = random_image(6, 4, channels);
+        const TextureImage half = image_levels(image)[1];
+        const auto at = [](const TextureImage& of, int x, int y, int c) {
+            return of.values[static_cast<std::size_t>((y * of.width + x) * of.channels + c)];
+        };
+        REQUIRE(half.values.size() == static_cast<std::size_t>(3 * 2 * channels));
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 3; ++x)
+                for (int c = 0; c < channels; ++c) {
+                    const float four = at(image, 2 * x, 2 * y, c) + at(image, 2 * x + 1, 2 * y, c) +
+                                       at(image, 2 * x, 2 * y + 1, c) + at(image, 2 * x + 1, 2 * y + 1, c);
+                    CHECK(at(half, x, y, c) == doctest::Approx(four / 4).epsilon(1e-6));
+                }
+    }
     // Each of two texels covers half of the five texels 0 1 2 3 4.
     const TextureImage five{.width = 5, .height = 1, .channels = 1, .values = {0, 1, 2, 3, 4}};
     const std::vector<float> halves = image_levels(five)[1].values;
