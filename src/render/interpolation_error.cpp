@@ -126,6 +126,15 @@ Lanes InterpolationError::reflected(const Reflections& reflections, const LaneVe
     return out;
 }
 
+void InterpolationError::prepare(const Scene& scene, const EnvironmentPtr& light) {
+    if (light == nullptr) return;
+    filtering_.run(light, [&] { light_.emplace(*light, kColumns); });
+    for (const Instance& instance : scene.instances()) {
+        const auto [known, fresh] = reflections_.try_emplace(instance.material);
+        if (fresh) known->second = reflections(*instance.material);
+    }
+}
+
 double InterpolationError::of(const WorldGeometry& geometry, const SeenTriangles& seen,
                               const Projection& projection, const EnvironmentPtr& light,
                               const glm::dmat3& to_light) {

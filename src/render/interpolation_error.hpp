@@ -14,6 +14,7 @@
 #include "material/material.hpp"
 #include "render/seen_triangles.hpp"
 #include "scene/projection.hpp"
+#include "scene/scene.hpp"
 #include "surfaces/geometry.hpp"
 #include "versioned.hpp"
 
@@ -31,6 +32,9 @@ public:
     [[nodiscard]] double of(const WorldGeometry& geometry, const SeenTriangles& seen,
                             const Projection& projection, const EnvironmentPtr& light,
                             const glm::dmat3& to_light);
+
+    /// Computes what of() needs of the light and of the instances' materials: beside a bake.
+    void prepare(const Scene& scene, const EnvironmentPtr& light);
 
 private:
     static constexpr std::size_t kAngles = 12;  // from 0 to pi/2

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/order_selector.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -144,21 +146,44 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
     return *std::ranges::min_element(candidates, {}, &Orders::error);
 }
 
-void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
-                            KeptProjection& projection) {
+void OrderSelector::prepare(const Scene& scene, const Projected& projected, KeptProjection& projection) {
+    project(scene, projected, projection);
+    for (const Instance& instance : scene.instances())
+        static_cast<void>(response_of(instance.material, projected, scene.channels()));
+}
+
+void OrderSelector::project(const Scene& scene, const Projected& projected, KeptProjection& projection) {
     projecting_.run(scene.distant_light(), projected.light, [&] {
         light_ = energies(projection.project(projected.light, kOrder));
         all_light_ = projected.light == scene.distant_light()
                          ? light_
                          : energies(scene.distant_light()->project(kOrder));
     });
-    const WorldGeometry& geometry = surfaces.geometry;
     kind_ = light_kind(projected.light.get());
     responding_.run(kind_, projected.sampled, scene.channels(), [&] {
         responses_.clear();
         known_terms_.clear();
         fits_.clear();
     });
+    if (couplings_.empty()) couplings_ = {OrderCoupling(kOrder, 0), OrderCoupling(kOrder, 2)};
+}
+
+OrderSelector::Response& OrderSelector::response_of(const MaterialPtr& material, const Projected& projected,
+                                                    int channels) {
+    const auto known = responses_.find(material);
+    if (known != responses_.end()) return known->second;
+    MaterialPtr in_orders = in_harmonics(material, projected.sampled);
+    const ResponsePower whole(*material, kOrder, kind_, channels, known_terms_);
+    const ResponsePower power =
+        in_orders == material ? whole : ResponsePower(*in_orders, kOrder, kind_, channels, known_terms_);
+    Response response{.whole = whole, .projected = std::move(in_orders), .power = power, .missed = {}};
+    return responses_.emplace(material, std::move(response)).first->second;
+}
+
+void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
+                            KeptProjection& projection) {
+    project(scene, projected, projection);
+    const WorldGeometry& geometry = surfaces.geometry;
     constexpr std::size_t size = kOrder + 1;
     std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
     for (std::vector<double>& coupling : couplings) {
@@ -169,7 +194,6 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     std::optional<VisibilityHarmonics> harmonics;
     if (surfaces.visibility != nullptr) {
         harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
-        if (couplings_.empty()) couplings_ = {OrderCoupling(kOrder, 0), OrderCoupling(kOrder, 2)};
     }
 
     const VertexWeights vertices(geometry, surfaces.baked);
@@ -180,23 +204,9 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
             fraction = visible.fraction();
             for (std::size_t k = 0; k < couplings.size(); ++k) couplings[k] = couplings_[k].of(visible);
         }
-        auto known = responses_.find(material);
-        if (known == responses_.end()) {
-            MaterialPtr in_orders = in_harmonics(material, projected.sampled);
-            const ResponsePower whole(*material, kOrder, kind_, scene.channels(), known_terms_);
-            const ResponsePower power = in_orders == material ? whole
-                                                              : ResponsePower(*in_orders, kOrder, kind_,
-                                                                              scene.channels(), known_terms_);
-            known = responses_
-                        .emplace(material, Response{.whole = whole,
-                                                    .projected = std::move(in_orders),
-                                                    .power = power,
-                                                    .missed = {}})
-                        .first;
-        }
-        const auto& [whole, in_orders, power, missed] = known->second;
-        Share& share =
-            shares_.emplace_back(Share{.response = &known->second, .all = {}, .seen = {}, .left = {}});
+        Response& response = response_of(material, projected, scene.channels());
+        const auto& [whole, in_orders, power, missed] = response;
+        Share& share = shares_.emplace_back(Share{.response = &response, .all = {}, .seen = {}, .left = {}});
         share.all.fill(Spectrum(size));
         share.seen.fill(Spectrum(size));
         for (int c = 0; c < scene.channels(); ++c) {
@@ -292,9 +302,12 @@ const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const S
     }
     found->second.fill(1);
     std::array<std::array<double, kOutputs>, kUsualStencils.size()> all_caught{};
-    for (std::size_t k = 0; k < angles; ++k) {
+    std::array<std::vector<std::vector<SplitFactors>>, angles> at_angles;
+    tbb::parallel_for(std::size_t{0}, angles, [&](std::size_t k) {
         const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / angles);
-        const auto stencils = fit.at(std::acos(cosine), kUsualStencils);
+        at_angles[k] = fit.at(std::acos(cosine), kUsualStencils);
+    });
+    for (const auto& stencils : at_angles) {
         for (std::size_t s = 0; s < stencils.size(); ++s) {
             for (const SplitFactors& factors : stencils[s]) {
                 for (std::size_t part = 0; part < parts_of(kind_); ++part) {

@@ -57,6 +57,10 @@ public:
     Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces, bool settled,
                   const RenderOptions& options, std::uint64_t memory_limit, KeptProjection& projection);
 
+    /// Computes what choose() needs of the light and of the instances' materials, which depends on no
+    /// surfaces: beside a bake.
+    void prepare(const Scene& scene, const Projected& projected, KeptProjection& projection);
+
     static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 private:
@@ -86,6 +90,10 @@ private:
                                          std::uint64_t memory_limit);
     void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
                  KeptProjection& projection);
+    // Updates the energies of the light, and forgets responses that were computed for another kind of light.
+    void project(const Scene& scene, const Projected& projected, KeptProjection& projection);
+    [[nodiscard]] Response& response_of(const MaterialPtr& material, const Projected& projected,
+                                        int channels);
     // Forgets integrals of terms that no material has. Materials that differ in their weights alone share
     // these integrals, so that a new reflectance needs none.
     void forget_terms();
@@ -106,7 +114,7 @@ private:
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
     SurfaceVersions measured_;              // versions of the last measuring_
-    std::vector<OrderCoupling> couplings_;  // spin 0, spin 2; made when shadows are first measured
+    std::vector<OrderCoupling> couplings_;  // spin 0, spin 2
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;

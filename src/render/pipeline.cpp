@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/pipeline.hpp"
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <utility>
 #include <vector>
 
 #include "polarization/viewpoint.hpp"
@@ -83,10 +86,16 @@ void Pipeline::bake(const Scene& scene, std::span<const Projection> views,
     surfaces_.update(scene);
     std::vector<Projection> of_surfaces;
     for (const Projection& view : views) of_surfaces.push_back(in_axes(view, surfaces_.to_world()));
+    tbb::task_group beside;
+    if (!std::exchange(projected_ahead_, true))
+        beside.run([&] {
+            project_ahead(scene, sampled_terms(scene, options, false, true), options, run.statistics);
+        });
     visibility_.update(
         surfaces_, rays_, needs_bake(scene, options),
         {.needs = needs_of(options), .views = of_surfaces, .samples = samples, .lobes = wants_lobes(options)},
         options, run.workers, run.progress, run.statistics);
+    beside.wait();
 }
 
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
@@ -231,66 +240,6 @@ TransferMethod& Pipeline::method_for(Method method) {
 
 bool Pipeline::follows_smooth(const RenderOptions& options, const RenderExecutor& executor) const {
     return nicol::follows_rays(options.method, executor) && smooth_.any();
-}
-
-bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
-                             const glm::dmat3& light_to_geometry, const RenderOptions& options,
-                             const RenderExecutor& executor, Statistics& statistics) {
-    if (options.shade_at == ShadeAt::pixels) return true;
-    const bool automatic = options.shade_at == ShadeAt::automatic;
-    if (automatic && ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
-                      local_lights_.any() || follows_smooth(options, executor)))
-        return true;
-    const double error =
-        interpolation_error_.of(visibility_.state().geometry, seen_triangles_.update(visibility_.state()),
-                                projection, split_.rest(), glm::transpose(light_to_geometry));
-    if (automatic && error > options.tolerance) return true;
-    predicted_.add_relative(error);
-    statistics.interpolation_error = error;
-    return false;
-}
-
-RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& projection,
-                                      const RenderOptions& options, SampledTerms sampled, RenderRun& run) {
-    // Error of dark places, where polarization must be distinguished from noise, relative to the error of the
-    // image.
-    constexpr double of_dark = 1.0 / 3;
-    RenderOptions chosen = options;
-    predicted_ = {};
-    noise_ = 0;
-    if (scene.distant_light() == nullptr) {  // the reflection of local lights has no orders
-        chosen.order_low = chosen.order_high = 0;
-        return chosen;
-    }
-    ShadowError::Seen seen;
-    run.workers.run([&] {
-        seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0,
-                                seen_triangles_.update(visibility_.state()), projection);
-    });
-    run.statistics.shadow_error = seen.error;
-    predicted_.add_relative(seen.error);
-    const bool predicted =
-        options.method == Method::factored && options.high_orders != HighOrders::convolution;
-    if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;
-    const Stopwatch watch;
-    RenderOptions of_orders = options;
-    of_orders.tolerance = left_of_tolerance(options.tolerance, shadow_error_.of_all());
-    run.workers.run([&] {
-        const OrderSelector::Orders orders =
-            selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), visibility_.pending() == 0,
-                             of_orders, run.memory_limit, projection_);
-        chosen.order_low = orders.low;
-        chosen.order_high = orders.high;
-        run.statistics.order_error = orders.error;
-        const double rms = orders.rms * scene.light_scale();
-        const double error = orders.error * rms;
-        predicted_.add(error * error, rms * rms * seen.brightness);
-        const double noise = of_dark * error;
-        // Rounded to steps, so that the noise stays the same when an object moves.
-        if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));
-    });
-    run.statistics.project_ms += watch.milliseconds();
-    return chosen;
 }
 
 void Pipeline::shade(ShadeInput input, const Projection& projection, const RenderOptions& options,

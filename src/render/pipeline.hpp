@@ -69,6 +69,10 @@ public:
 
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
+    /// Computes what the first render needs of lights and materials, for the most likely choices: beside the
+    /// bake, much of which runs on one thread. sampled: terms that do not reflect harmonics.
+    void project_ahead(const Scene& scene, SampledTerms sampled, const RenderOptions& options,
+                       Statistics& statistics);
     /// Returns the options with the orders that their tolerance allows.
     RenderOptions choose_orders(const Scene& scene, const Projection& projection,
                                 const RenderOptions& options, SampledTerms sampled, RenderRun& run);
@@ -134,6 +138,7 @@ private:
     Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether the executor adds it
     std::optional<LightPyramid> sky_;           // environment that rays meet
     Stage<EnvironmentPtr> meeting_;
+    bool projected_ahead_ = false;  // whether project_ahead() was called
     bool pixels_ = false;
     bool sampled_ = false;
     float noise_ = 0;  // noise for make_physical()
