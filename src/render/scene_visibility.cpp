@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "render/bake_inputs.hpp"
@@ -11,6 +12,7 @@
 #include "render/needed_vertices.hpp"
 #include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
+#include "visibility/possible_blockers.hpp"
 
 namespace nicol {
 namespace {
@@ -38,6 +40,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
                              const BakedImages& images, const RenderOptions& options, Workers& workers,
                              Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
+    possible_blockers_.reset();
     if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
         return update_progressively(surfaces, rays, images.views, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
@@ -46,6 +49,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
         options.shadows && lit && bake(surfaces, rays, images, options, workers, progress, statistics);
     uses_bake_ = options.shadows && baked_geometry_ == surfaces.version();
     if (uses_bake_) refine(surfaces, rays, options, workers, progress, statistics);
+    possible_blockers_.reset();
     surfaces_.update(surfaces, uses_bake_ ? refined_ : nullptr, parts_, numbers_.numbers);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
@@ -206,6 +210,18 @@ void SceneVisibility::count_later_steps(double milliseconds) {
     if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
+BakeGeometry SceneVisibility::geometry_of(const SceneGeometry& surfaces, SurfaceRays& rays,
+                                          std::span<const std::uint8_t> needed,
+                                          const RenderOptions& options) {
+    BakeGeometry geometry = bake_geometry(surfaces, rays, needed, options);
+    geometry.possible_blockers = [this, geometry] {
+        if (!possible_blockers_)
+            possible_blockers_ = std::make_shared<const PossibleBlockers>(geometry, *directions_, true);
+        return possible_blockers_;
+    };
+    return geometry;
+}
+
 bool SceneVisibility::found_for(const BakedImages& images) const {
     if (!need_the_same(seen_from_, images.views)) return false;
     return !seen_.sampled ||
@@ -263,7 +279,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         workers.run([&] {
             std::vector<std::uint8_t> room;
             BakeGeometry geometry =
-                bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
+                geometry_of(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
             if (needed.pixel > 0 && !rest && !geometry.every_ray)
                 geometry.like = like = vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
             Visibility visibility;
@@ -309,7 +325,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
             if (!(options.refine_tolerance > 0)) return;
             std::vector<std::uint8_t> room;
             const std::span traced = traced_of(surfaces.geometry(), needed_, room);
-            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, traced, options),
+            Refinement refinement = refinement_of(surfaces, geometry_of(surfaces, rays, traced, options),
                                                   *visible, options, report, baked);
             points_ = std::move(refinement.points);
             points_bake_ = baked_.version();

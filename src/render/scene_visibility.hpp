@@ -82,6 +82,10 @@ private:
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
     bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
               const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// Returns the surfaces as a bake takes them, whose bakes and refinements share possible_blockers_.
+    [[nodiscard]] BakeGeometry geometry_of(const SceneGeometry& surfaces, SurfaceRays& rays,
+                                           std::span<const std::uint8_t> needed,
+                                           const RenderOptions& options);
     /// Bakes the vertices that the bake of a part has left out.
     [[nodiscard]] Visibility bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                        const BakeProgress& report, BakeStatistics& baked) const;
@@ -100,8 +104,9 @@ private:
     Stage<int> spreading_;
     std::optional<DirectionSet> lattice_;
     Stage<int, glm::dmat3> rotating_;
-    std::optional<DirectionSet> directions_;  // lattice_ along the surfaces' own axes
-    Version axes_ = 0;                        // version of directions_
+    std::optional<DirectionSet> directions_;                     // lattice_ along the surfaces' own axes
+    Version axes_ = 0;                                           // version of directions_
+    std::shared_ptr<const PossibleBlockers> possible_blockers_;  // of an update() that runs
     // Inputs: geometry, number of directions, their axes.
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;

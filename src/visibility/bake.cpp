@@ -11,6 +11,7 @@
 #include <deque>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -145,7 +146,9 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const bool few =
         known_rays ? kFew * (vertices - known_rays->known()) < vertices : few_needed(geometry, vertices);
     const bool spare = !geometry.every_ray && !few;
-    const PossibleBlockers blockers(geometry, directions, spare);
+    const std::shared_ptr<const PossibleBlockers> possible =
+        possible_blockers_of(geometry, directions, spare);
+    const PossibleBlockers& blockers = *possible;
     const AgreeingNeighbours agreeing(geometry, normals, spare);
     const double build_milliseconds = building.milliseconds();
 

@@ -15,6 +15,8 @@
 
 namespace nicol {
 
+class PossibleBlockers;
+
 /// All surfaces of the world; each casts and receives shadows. A two-sided surface appears twice, the second
 /// time with normals and winding reversed.
 struct BakeGeometry {
@@ -28,6 +30,9 @@ struct BakeGeometry {
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};
+    /// The triangles' PossibleBlockers for the same directions, asked for where rays are spared; empty:
+    /// bake() and refine() build their own.
+    std::function<std::shared_ptr<const PossibleBlockers>()> possible_blockers = {};
     /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
     /// and triangles at them are not refined. Empty: all vertices.
     std::span<const std::uint8_t> needed = {};

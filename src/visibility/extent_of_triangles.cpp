@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,15 +16,34 @@ namespace {
 // Returns the area of the triangles with a vertex for which `counts` is true.
 double area_of(const EdgeBisection& mesh, const IsVertex& counts) {
     using Corners = std::array<std::uint32_t, 3>;
-    std::vector<std::pair<Corners, std::size_t>> counted;
+    using Counted = std::pair<Corners, std::size_t>;
+    const auto corners_of = [](const glm::uvec3& t) {
+        Corners corners{t.x, t.y, t.z};
+        std::ranges::sort(corners);
+        return corners;
+    };
+    // Sorted by the first corner, of which few triangles have the same, then by the others.
+    std::vector<std::size_t> ends(mesh.positions().size() + 1, 0);
+    std::vector<std::size_t> chosen;
+    chosen.reserve(mesh.triangles().size());
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
         const glm::uvec3& t = mesh.triangles()[i];
         if (!counts(t.x) && !counts(t.y) && !counts(t.z)) continue;
-        Corners corners{t.x, t.y, t.z};
-        std::ranges::sort(corners);
-        counted.emplace_back(corners, i);
+        chosen.push_back(i);
+        ++ends[std::min({t.x, t.y, t.z}) + 1];
     }
-    std::ranges::sort(counted);
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Counted> counted(chosen.size());
+    for (const std::size_t i : chosen) {
+        const Corners corners = corners_of(mesh.triangles()[i]);
+        counted[ends[corners[0]]++] = {corners, i};
+    }
+    auto first = counted.begin();
+    for (auto last = first; first != counted.end(); first = last) {
+        last = std::find_if(first, counted.end(),
+                            [first](const Counted& other) { return other.first[0] != first->first[0]; });
+        std::sort(first, last);
+    }
     double area = 0;
     for (std::size_t k = 0; k < counted.size(); ++k) {
         if (k > 0 && counted[k].first == counted[k - 1].first) continue;

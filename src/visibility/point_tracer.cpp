@@ -10,7 +10,7 @@ PointTracer::PointTracer(const BakeGeometry& geometry, const DirectionSet& direc
     : directions_(directions),
       former_(former),
       rays_(rays_of(geometry)),
-      blockers_(geometry, directions, former == nullptr && !geometry.every_ray),
+      blockers_(possible_blockers_of(geometry, directions, former == nullptr && !geometry.every_ray)),
       light_(directions) {
     if (former == nullptr) return;
     disturbed_.emplace(directions, former->disturbances);
@@ -37,7 +37,7 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
     const glm::vec3& origin = at.origin;
     const glm::vec3& normal = at.normal;
     const auto traced = [&](const std::optional<FormerBits>& known) {
-        return blockers_.trace(rays_, origin, normal, i, known, seen);
+        return blockers_->trace(rays_, origin, normal, i, known, seen);
     };
     RayCounts rays;
     if (const std::optional<Former> point = find(at)) {
@@ -56,7 +56,7 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
     } else {
         Agreement agreement;
         agreement.find(around, around.size() > 2 ? 1 : around.size(), directions_, normal, i);
-        rays = agreement.settle(seen.at(i), blockers_.cones(), traced);
+        rays = agreement.settle(seen.at(i), blockers_->cones(), traced);
     }
     hides = light_.at(seen, i, normal);
     return rays;

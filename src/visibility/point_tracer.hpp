@@ -57,7 +57,7 @@ private:
     std::deque<DisturbedRays> beside_;        // of its shifted objects
     NearbyPoints nearby_;                     // its points, if there are shifted objects
     const BakeRays rays_;
-    PossibleBlockers blockers_;
+    const std::shared_ptr<const PossibleBlockers> blockers_;
     HiddenLight light_;
 };
 

@@ -210,4 +210,10 @@ RayCounts PossibleBlockers::trace(const BakeRays& scene, const glm::vec3& origin
     return {.traced = traced, .skipped = above - traced};
 }
 
+std::shared_ptr<const PossibleBlockers> possible_blockers_of(const BakeGeometry& geometry,
+                                                             const DirectionSet& directions, bool find) {
+    if (find && geometry.possible_blockers) return geometry.possible_blockers();
+    return std::make_shared<const PossibleBlockers>(geometry, directions, find);
+}
+
 }  // namespace nicol

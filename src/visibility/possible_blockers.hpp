@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,5 +70,10 @@ private:
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> corners_;  // of leaves: numbers of positions
 };
+
+/// Returns geometry.possible_blockers(), or a new tree where that is empty or none is to be found.
+[[nodiscard]] std::shared_ptr<const PossibleBlockers> possible_blockers_of(const BakeGeometry& geometry,
+                                                                           const DirectionSet& directions,
+                                                                           bool find);
 
 }  // namespace nicol
