@@ -13,6 +13,18 @@
 #include "render/scene_visibility.hpp"
 
 namespace nicol {
+namespace {
+
+// Part by which the nearest vertex may come nearer before triangles that were as fine as pixels are refined.
+constexpr double kNearer = 0.01;
+// Part of the pixel in which points took what others see, down to which they keep it in further views.
+constexpr double kSharedPixel = 0.75;
+// Number of views of a part, times what the part leaves out of all, after which one view bakes all the rest.
+// A view that is searched and refined again takes about as long as this part of a whole bake, so that a
+// camera that goes on moving takes at most twice as long as if all had been baked with its first step.
+constexpr std::size_t kGrownViews = 16;
+
+}  // namespace
 
 Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                       const BakeProgress& report, BakeStatistics& baked) const {
@@ -25,6 +37,72 @@ Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometr
         if (rest[v] == 0) visibility.take(v, **baked_, v);
     }
     return visibility;
+}
+
+void SceneVisibility::bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel,
+                                   const RenderOptions& options, const BakeProgress& report,
+                                   std::vector<std::uint8_t>& missing, BakeStatistics& baked) {
+    std::vector<std::uint8_t> room;
+    BakeGeometry geometry =
+        geometry_of(surfaces, rays, traced_of(surfaces.geometry(), missing, room), options);
+    geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
+    std::vector<std::uint32_t> like;
+    if (pixel > 0 && !geometry.every_ray)
+        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing, pixel);
+    const Visibility more = nicol::bake(geometry, *directions_, report, &baked);
+    auto all = std::make_shared<Visibility>(**baked_);
+    for (std::size_t v = 0; v < missing.size(); ++v)
+        if (missing[v] != 0) all->take(v, more, v);
+    const bool has_points = points_bake_ == baked_.version();
+    baked_.change() = std::move(all);
+    if (has_points) points_bake_ = baked_.version();
+    missing = baked_vertices(std::move(missing), like);
+    for (std::size_t v = 0; v < missing.size(); ++v)
+        if (missing[v] != 0) needed_[v] = missing[v];
+}
+
+bool SceneVisibility::is_enough(const NeededVertices& needed) const {
+    if (needed.pixel == 0) return !needed.flags.empty();  // nothing is seen
+    return kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_ && contain(needed_, needed.flags) &&
+           contain(wanted_, needed.seen);
+}
+
+bool SceneVisibility::grows() const {
+    const std::vector<std::uint8_t>& part = needed_.empty() ? wanted_ : needed_;
+    const auto left = static_cast<std::size_t>(std::ranges::count(part, 0));
+    return views_since_ * part.size() <= kGrownViews * left;
+}
+
+void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, const NeededVertices& needed,
+                           const RenderOptions& options, Workers& workers, Progress& progress,
+                           Statistics& statistics) {
+    const Stopwatch watch;
+    const double edge = kPixelsOfEdge * needed.pixel;
+    // Vertices and points that took what others in a wider pixel see are traced by rays of their own.
+    const bool retraced = edge < kSharedPixel * traced_edge_;
+    std::vector<std::uint8_t> missing(needed_.size(), 0);
+    for (std::size_t v = 0; v < missing.size(); ++v)
+        if (needed.flags.empty() || needed.flags[v] != 0)
+            missing[v] = needed_[v] == 0 || (retraced && needed_[v] != kTraced) ? 1 : 0;
+    BakeStatistics baked;
+    if (any(missing)) {
+        const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
+        workers.run([&] {
+            bake_missing(
+                surfaces, rays, needed.pixel, options,
+                [&](double fraction) { progress.report("bake", share * fraction); }, missing, baked);
+        });
+    }
+    for (std::size_t v = 0; v < wanted_.size(); ++v) wanted_[v] |= needed.seen[v];
+    if (edge < (1 - kNearer) * shortest_edge_) shortest_edge_ = edge;
+    if (retraced) {
+        traced_edge_ = edge;
+        points_ = {};
+        points_bake_ = 0;
+    }
+    carried_ = 0;
+    refining_.reset();
+    count_bake(baked, watch, statistics);
 }
 
 bool SceneVisibility::left_out_unsampled() const {
@@ -57,26 +135,17 @@ void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& ray
     const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
     BakeStatistics baked;
     run.workers.run([&] {
-        std::vector<std::uint8_t> room;
-        BakeGeometry geometry = bake_geometry(surfaces, rays, traced_of(world, missing, room), options);
-        geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
-        const Visibility more = nicol::bake(
-            geometry, *directions_, [&run](double fraction) { run.progress.report("bake", fraction); },
-            &baked);
-        auto all = std::make_shared<Visibility>(**baked_), visible = std::make_shared<Visibility>(**visible_);
-        for (std::size_t i = 0; i < given; ++i)
-            if (missing[i] != 0) all->take(i, more, i);
+        bake_missing(
+            surfaces, rays, 0, options, [&run](double fraction) { run.progress.report("bake", fraction); },
+            missing, baked);
+        auto visible = std::make_shared<Visibility>(**visible_);
         for (const std::uint32_t v : changed) {
-            visible->take(v, more, numbers_.source(v));
+            visible->take(v, **baked_, numbers_.source(v));
             if (shadow_all) visible->set_unoccluded(v, false);
         }
-        const bool has_points = points_bake_ == baked_.version();
-        baked_.change() = std::move(all);
-        if (has_points) points_bake_ = baked_.version();
         visible_.change() = std::move(visible);
     });
-    for (std::size_t i = 0; i < given; ++i)
-        if (missing[i] != 0) needed_[i] = kTraced;
+    possible_blockers_.reset();
     before_ = versions_;
     former_.resize(shown.size());
     std::iota(former_.begin(), former_.end(), 0U);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "render/bake_inputs.hpp"
@@ -17,8 +18,6 @@
 namespace nicol {
 namespace {
 
-// Part by which the nearest vertex may come nearer before triangles that were as fine as pixels are refined.
-constexpr double kNearer = 0.01;
 // Directions, as a part of all, times the tolerance of shadows, in which a vertex may see something else than
 // before the change of a scene and keep its light.
 constexpr double kUnshown = 1.0 / 16;
@@ -41,6 +40,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
                              Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
     possible_blockers_.reset();
+    grew_ = false;
     if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
         return update_progressively(surfaces, rays, images.views, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
@@ -60,11 +60,19 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     before_.reset();
     // All vertices change if shadows appear or disappear.
     const bool same_shadows = shadowed ? had_bake && carried : former.visibility == 0;
-    if (former.geometry == 0 || former.geometry != surfaces_.change().before || !same_shadows)
+    const bool same_geometry = former.geometry == versions_.geometry;
+    if (former.geometry == 0 || !same_shadows ||
+        (!same_geometry && former.geometry != surfaces_.change().before))
         return shown_.show(*visible_);
     before_ = former;
-    former_ = surfaces_.change().former;
-    same_places_ = surfaces_.change().same_places;
+    if (same_geometry) {
+        former_.resize(vertices);
+        std::iota(former_.begin(), former_.end(), 0U);
+        same_places_.assign(vertices, 1);
+    } else {
+        former_ = surfaces_.change().former;
+        same_places_ = surfaces_.change().same_places;
+    }
     same_normals_.clear();
     if (!shadowed) return;
     const double negligible =
@@ -241,8 +249,12 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const bool carry = !change.kept.empty() && needed_.empty() && follows;
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
-    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && !(same && needed_.empty())) {
-        if (!found_for(images)) seeing_.reset();
+    const bool part_is_fine = same && (!needed_.empty() || shortest_edge_ > 0);
+    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && (!same || part_is_fine)) {
+        if (!found_for(images)) {
+            seeing_.reset();
+            if (part_is_fine) ++views_since_;
+        }
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
             workers.run(
                 [&] { seen_ = needed_vertices(surfaces.geometry(), images.views, images.samples, rays); });
@@ -254,14 +266,16 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             needed = {.flags = {}, .seen = {}, .pixel = seen_.pixel};
     }
     bool rest = false;
-    if (same && !needed_.empty()) {
-        const bool enough = kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_ &&
-                            contain(needed_, needed.flags) && contain(wanted_, needed.seen);
-        rest = !enough && is_part;
-        if (!enough) baking_.reset();
+    if (part_is_fine) {
+        if (is_enough(needed)) return false;
+        if (!needed.seen.empty() && (is_part || needed_.empty()) && grows()) {
+            grow(surfaces, rays, needed, options, workers, progress, statistics);
+            return grew_ = true;
+        }
+        rest = is_part;
+        if (!needed_.empty()) baking_.reset();
     }
-    const bool another = needs == ImageNeeds::all || (!seen_from_.empty() && !found_for(images));
-    if (shortest_edge_ > 0 && (carry || rest || (needed_.empty() && another))) {
+    if (shortest_edge_ > 0 && (carry || rest || needed_.empty())) {
         shortest_edge_ = 0;
         wanted_.clear();
         points_ = {};
@@ -300,7 +314,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         });
         needed_ = baked_vertices(std::move(needed.flags), like);
         wanted_ = std::move(needed.seen);
-        shortest_edge_ = kPixelsOfEdge * needed.pixel;
+        traced_edge_ = shortest_edge_ = kPixelsOfEdge * needed.pixel;
+        views_since_ = 0;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
     });

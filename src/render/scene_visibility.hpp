@@ -63,6 +63,9 @@ public:
     /// Returns the number of vertices whose visibility is not final.
     [[nodiscard]] std::size_t pending() const noexcept { return progressive_ ? progressive_->pending() : 0; }
 
+    /// Returns whether the last update() added to the bake what a further view shows.
+    [[nodiscard]] bool grew() const noexcept { return grew_; }
+
     /// Returns the state of the last update().
     [[nodiscard]] SurfaceState state() const;
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return surfaces_; }
@@ -79,6 +82,18 @@ private:
     [[nodiscard]] bool left_out_unsampled() const;
     /// Hands the current bake to progressive_.
     void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
+    /// Returns whether the bake of a part holds what images need.
+    [[nodiscard]] bool is_enough(const NeededVertices& needed) const;
+    /// Returns whether further views are baked one by one. Otherwise the next one bakes all that is left out.
+    [[nodiscard]] bool grows() const;
+    /// Bakes the vertices that a further view needs, and has the triangles that it shows refined.
+    void grow(const SceneGeometry& surfaces, SurfaceRays& rays, const NeededVertices& needed,
+              const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// Bakes some vertices, and adds them to the bake. `missing` holds their states then, see
+    /// baked_vertices(). pixel: see vertices_in_pixels(); 0: none shares what it sees.
+    void bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel,
+                      const RenderOptions& options, const BakeProgress& report,
+                      std::vector<std::uint8_t>& missing, BakeStatistics& baked);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
     bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
               const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
@@ -119,8 +134,11 @@ private:
     // 0: not baked; 1: baked as the vertex in the same pixel; kTraced: baked by rays of its own; by vertex of
     // baked_. Empty: all are kTraced. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
-    double shortest_edge_ = 0;  // RefineOptions::shortest_edge of a bake's first image; 0 for later ones
-    std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of a bake's first image
+    double shortest_edge_ = 0;          // RefineOptions::shortest_edge of the bake of a part; 0: of all
+    double traced_edge_ = 0;            // shortest_edge_ when its points were traced
+    std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of the bake of a part
+    bool grew_ = false;                 // whether the last update() called grow()
+    std::size_t views_since_ = 0;       // views that were searched since the first one of a part
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded,
     // shortest edge.
     Stage<Version, double, std::uint64_t, bool, double> refining_;

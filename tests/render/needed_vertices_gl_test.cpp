@@ -93,26 +93,41 @@ IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced"
     }
 }
 
-IMAGE_TEST_CASE("what a camera first sees is baked then, and all the rest with it") {
+IMAGE_TEST_CASE("what a further view shows is baked with it, and all the rest once a camera goes on moving") {
     const Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
-    const Camera front = camera_at({0, 1, 4}), back = camera_at({0, 1, -4}),
+    const Camera front = camera_at({0, 1, 4}), beside = camera_at({0.1, 1, 4}), back = camera_at({0, 1, -4}),
                  away = camera_at({0, 1, 4}, {0, 1, 9});
     Studio studio(context), tracing(context);
-    const StokesImage all = tracing(scene, options_with(skip_rays), back);
     static_cast<void>(studio(scene, options_with(0), away));
     CHECK(studio.statistics.vertices_traced == 0);
     static_cast<void>(studio(scene, options_with(0), front));
-    CHECK(studio.statistics.vertices_unbaked > 0);
-    const std::uint64_t first = studio.statistics.bake_rays;
-    const StokesImage image = studio(scene, options_with(0), back);
-    CHECK(studio.statistics.vertices_unbaked == 0);
-    CHECK(studio.statistics.bake_rays > 0);
-    // The refinement traces its rays again.
-    CHECK(static_cast<double>(first + studio.statistics.bake_rays) <=
-          1.1 * static_cast<double>(tracing.statistics.bake_rays));
-    CHECK(rms_difference(image, all) <= 2e-3 * rms(all));
-    static_cast<void>(studio(scene, options_with(0), front));
+    const std::uint64_t unbaked = studio.statistics.vertices_unbaked;
+    std::uint64_t rays = studio.statistics.bake_rays;
+    CHECK(unbaked > 0);
+    const auto check_against_all = [&](const Camera& camera) {
+        const StokesImage image = studio(scene, options_with(0), camera);
+        rays += studio.statistics.bake_rays;
+        const StokesImage all = tracing(scene, options_with(skip_rays), camera);
+        CHECK(rms_difference(image, all) <= 2e-3 * rms(all));
+    };
+    check_against_all(beside);
+    CHECK(studio.statistics.vertices_unbaked < unbaked);
+    CHECK(studio.statistics.vertices_traced > 0);
+    CHECK(20 * studio.statistics.vertices_traced < unbaked);
+    check_against_all(front);
     CHECK(studio.statistics.vertices_traced == 0);
+    check_against_all(away);
+    CHECK(studio.statistics.vertices_traced == 0);
+    check_against_all(back);
+    CHECK(studio.statistics.vertices_traced > unbaked / 4);
+    for (int step = 0; step < 40 && studio.statistics.vertices_unbaked > 0; ++step)
+        static_cast<void>(studio(scene, options_with(0), camera_at({0.1 * step, 1, 4})));
+    CHECK(studio.statistics.vertices_unbaked == 0);
+    check_against_all(back);
+    CHECK(studio.statistics.vertices_traced == 0);
+    Studio fresh(context);
+    static_cast<void>(fresh(scene, options_with(skip_rays), front));
+    CHECK(static_cast<double>(rays) <= 1.2 * static_cast<double>(fresh.statistics.bake_rays));
 }
 
 IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes nearer") {
@@ -137,7 +152,7 @@ IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes neare
     const StokesImage image = small(scene, options, near);
     CHECK(small.statistics.vertices_added > added);
     options.disabled_optimisations = skip_rays;
-    CHECK(rms_difference(image, fresh(scene, options, near)) <= 2e-3 * rms(image));
+    CHECK(rms_difference(image, fresh(scene, options, near)) <= 5e-3 * rms(image));
 }
 
 IMAGE_TEST_CASE("bounced light, mirrors and a scene that changes need all vertices") {
@@ -170,7 +185,7 @@ IMAGE_TEST_CASE("bounced light, mirrors and a scene that changes need all vertic
     CHECK(mirrored.statistics.vertices_unbaked == 0);
 }
 
-IMAGE_TEST_CASE("a first image of few vertices refines what it shows, and later images refine all") {
+IMAGE_TEST_CASE("images of few vertices refine what they show") {
     Scene scene;
     scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), 1);
     scene.add({.mesh = test::rectangle(4), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
@@ -193,8 +208,17 @@ IMAGE_TEST_CASE("a first image of few vertices refines what it shows, and later 
     CHECK(first.data != all.data);
 
     SUBCASE("from another side") {
-        const StokesImage truth = fresh(scene, tracing, aside);
-        CHECK(rms_difference(studio(scene, options, aside), truth) <= 2e-3 * rms(truth));
+        Studio other(context, 64, 48);
+        const StokesImage part = other(scene, options, aside), truth = fresh(scene, tracing, aside);
+        const StokesImage image = studio(scene, options, aside);
+        CHECK(rms_difference(image, part) <= 5e-3 * rms(part));
+        CHECK(rms_difference(image, truth) <= 1e-2 * rms(truth));
+        CHECK(studio.statistics.vertices_added >= added);
+        CHECK(2 * studio.statistics.vertices_added < most);
+    }
+    SUBCASE("from ever nearer") {
+        for (int step = 1; step < 40; ++step)
+            static_cast<void>(studio(scene, options, camera_at({0, 4 - 0.05 * step, 3})));
         CHECK(2 * studio.statistics.vertices_added > most);
         CHECK(rms_difference(studio(scene, options, above), all) <= 2e-3 * rms(all));
     }
@@ -243,7 +267,8 @@ IMAGE_TEST_CASE("images of several samples need the vertices of triangles at the
     // Less than a pixel aside, samples show other triangles.
     const Camera beside = camera_at({0.02, 1, 4});
     const StokesImage moved = some(scene, options, beside), moved_truth = tracing(scene, all, beside);
-    CHECK(some.statistics.vertices_unbaked == 0);
+    CHECK(some.statistics.vertices_traced > 0);
+    CHECK(2 * some.statistics.vertices_unbaked > unbaked);
     CHECK(rms_difference(moved, moved_truth) <= 2e-3 * rms(moved_truth));
 }
 
