@@ -69,10 +69,9 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
     RenderOptions of_orders = options;
     of_orders.tolerance = left_of_tolerance(options.tolerance, shadow_error_.of_all());
     run.workers.run([&] {
-        const OrderSelector::Orders orders =
-            selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(),
-                             visibility_.pending() == 0 && !visibility_.grew(), of_orders, run.memory_limit,
-                             projection_);
+        const OrderSelector::Orders orders = selector_.choose(
+            scene, {split_.rest(), sampled}, visibility_.state(),
+            visibility_.pending() == 0 && !visibility_.grew(), of_orders, run.memory_limit, projection_);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.order_error = orders.error;

@@ -3,6 +3,7 @@
 #include "render/order_selector.hpp"
 
 #include <atomic>
+#include <optional>
 
 #include "devices/cpu/cpu_executor.hpp"
 #include "material/shared_terms.hpp"
@@ -182,6 +183,31 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
     const auto dark = Comparison(scene, true).run(0.03, HighOrders::split);
     CHECK(dark.statistics.order == 0);
     CHECK(dark.statistics.order_error == 0);
+}
+
+TEST_CASE("what is prepared beside a bake changes no orders") {
+    const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.5, 0.3, 0.1}, .alpha = 0.3});
+    const Scene scene =
+        spheres(plastic, pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.15}), natural_light(true));
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const auto choose = [&](const std::optional<SampledTerms>& prepared) {
+        KeptProjection projection;
+        OrderSelector selector;
+        if (prepared) selector.prepare(scene, {scene.environment(), *prepared}, projection);
+        return selector.choose(
+            scene, {scene.environment(), SampledTerms::none}, test::without_shadows(surfaces), true,
+            {.high_orders = HighOrders::split, .tolerance = 0.01}, MemoryLimit::kNone, projection);
+    };
+    const auto alone = choose(std::nullopt);
+    for (const SampledTerms& prepared :
+         {SampledTerms(SampledTerms::none), SampledTerms(SampledTerms::smooth)}) {
+        const auto orders = choose(prepared);
+        CHECK(orders.low == alone.low);
+        CHECK(orders.high == alone.high);
+        CHECK(orders.error == alone.error);
+        CHECK(orders.rms == alone.rms);
+    }
 }
 
 TEST_CASE("beside local lights, which take most of a frame, better orders are taken") {
