@@ -10,6 +10,7 @@
 #include "devices/mirrored_parts.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "geometry/ray_scene.hpp"
+#include "material/followed_terms.hpp"
 #include "material/sampled_terms.hpp"
 #include "methods/bounces.hpp"
 #include "shading/bounced_light.hpp"
@@ -127,6 +128,8 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                 .bounced = bounced ? &*bounced : nullptr,
                                 .seeds = std::span(seeds).first(count),
                                 .shadowed = shadowed,
+                                .rays_pass_glass = followed && shadowed && batch.bounces() &&
+                                                   all_followed_sampled(lighting_.sampled()),
                                 .receives_shadows = range.roles.receives_shadows},
                                {.layers = layers, .weights = weights}, channels);
     }

@@ -23,6 +23,12 @@ inline constexpr double kLeastFollowedReflectance = 0.2;
 /// Returns whether rays follow a term of a layer of such a material: a term with a narrow or a sampled lobe.
 [[nodiscard]] bool is_followed(const Material& layer, int term, SampledTerms sampled);
 
+/// Returns whether all followed terms are sampled. If so, rays can show what glass sends to them, because no
+/// harmonics hold light that passes glass straight.
+[[nodiscard]] inline bool all_followed_sampled(SampledTerms sampled) {
+    return sampled.kind == SampledTerms::anisotropic_narrow && sampled.narrowest >= kWidestFollowedLobe;
+}
+
 /// Followed terms of a layer.
 struct FollowedLayer {
     struct Part {

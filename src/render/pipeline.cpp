@@ -12,6 +12,7 @@
 #include "polarization/viewpoint.hpp"
 #include "render/grazing_lobes.hpp"
 #include "render/needed_vertices.hpp"
+#include "render/sampled_lobes.hpp"
 #include "render/wanted_executor.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/rigid_motion.hpp"
@@ -61,18 +62,6 @@ ImageNeeds needs_of(const RenderOptions& options) {
     return all ? ImageNeeds::all : ImageNeeds::seen;
 }
 
-// Returns the terms that do not reflect harmonics. Light without pixels has no detail that narrow lobes would
-// miss, but what hides this light has. hidden: whether surfaces hide light from each other.
-SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, bool follows_rays, bool hidden) {
-    const EnvironmentPtr& environment = scene.distant_light();
-    if (environment == nullptr) return follows_rays ? SampledTerms::smooth : SampledTerms::none;
-    if (options.bsdf_samples == 0 || options.method != Method::factored ||
-        options.high_orders == HighOrders::convolution)
-        return SampledTerms::none;
-    return hidden || environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
-                                                             : SampledTerms::anisotropic;
-}
-
 }  // namespace
 
 void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
@@ -119,7 +108,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         given.pixel_samples > 1 && executor.samples_pixels() &&
         scene.distant_light()->pixels().values != nullptr)
         sampled.narrowest =
-            narrowest_in_harmonics(surfaces.geometry, seen_triangles_.update(surfaces), projection);
+            std::max(sampled.narrowest,
+                     narrowest_in_harmonics(surfaces.geometry, seen_triangles_.update(surfaces), projection));
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
     LeastLight least;

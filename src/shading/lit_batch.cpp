@@ -49,7 +49,7 @@ LitBatch::LitBatch(const Views& views, const LitPoints& points, const LitMateria
     // The bake says what is shadowed, but clear glass stops none of its rays.
     if (rays != nullptr && points.receives_shadows && (points.shadowed || lights.glass != nullptr))
         shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
-    if (lights.before_mirrors != nullptr && any_layer_has(true))
+    if (lights.before_mirrors != nullptr && (any_layer_has(true) || points.rays_pass_glass))
         before_mirrors_.emplace(*lights.before_mirrors, nullptr, positions_, origins_);
 }
 
@@ -214,7 +214,8 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
         const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
         const std::uint32_t even = (pairs + 1) / 2;
         seen_lit_ = seen_hidden_ = 0;
-        LightShadows shadowing(shadows(), points_.places, 2 * even);
+        LightShadows shadowing(points_.rays_pass_glass ? before_mirrors() : shadows(), points_.places,
+                               2 * even);
         seed(~sampled_parts_++);
         // Returns the points that light_, the light of a node, reaches.
         const auto lit_by = [&](const ReflectedNode& node, std::uint32_t k) {
@@ -332,7 +333,7 @@ void LitBatch::for_places(double lobe, std::uint32_t sample, std::uint32_t sampl
 
 void LitBatch::add_mirrored() {
     std::uint32_t lit = lit_points();
-    ShadowRays* const rays = before_mirrors_ ? &*before_mirrors_ : shadows();
+    ShadowRays* const rays = before_mirrors();
     if (rays != nullptr && lit != 0) lit = rays->visible_from_origins(light_, lit);
     for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
         reflected_.add_mirrored(layer, weights, light_, there, sums_);

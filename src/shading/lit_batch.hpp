@@ -96,6 +96,7 @@ private:
     void set_pixels(const MirroredPixels& pixels);
     void seed(std::uint32_t index);
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
+    [[nodiscard]] ShadowRays* before_mirrors() { return before_mirrors_ ? &*before_mirrors_ : shadows(); }
 
     Lanes unshadowed_{};  // s0 of dim lights that were added without shadows
     LaneVectors positions_, origins_, facets_;

@@ -48,7 +48,10 @@ struct LitPoints {
     /// Light that other surfaces reflect to the points, for sampled terms. Null: none.
     const BouncedLight* bounced = nullptr;
     std::span<const std::uint32_t> seeds;
-    bool shadowed;                 ///< whether light may be occluded; false: no ray is traced, but for glass
+    bool shadowed;  ///< whether light may be occluded; false: no ray is traced, but for glass
+    /// Whether rays show what glass sends to sampled lobes, so that any glass hides the environment from
+    /// them.
+    bool rays_pass_glass = false;
     bool receives_shadows = true;  ///< InstanceRoles::receives_shadows; false: glass dims nothing, either
 };
 
@@ -83,7 +86,8 @@ public:
         std::vector<LightSourcePtr> local;
         std::vector<LightSourcePtr> extracted;          ///< lights of the environment
         std::optional<SampledEnvironment> environment;  ///< distant light of sampled terms
-        /// Surfaces that hide light from mirrors; null: those that cast shadows.
+        /// Surfaces that hide light from mirrors, and from the lobes of LitPoints::rays_pass_glass; null:
+        /// those that cast shadows.
         std::shared_ptr<const RayScene> before_mirrors;
         std::shared_ptr<const GlassShadows> glass;  ///< glass that light passes; null: none
         std::uint32_t first_index = 0;              ///< index of the first light, by which lights are sampled

@@ -2,6 +2,7 @@
 // Tests of narrow lobes of metal, which rays from pixels follow to other surfaces.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "material/dielectric.hpp"
 #include "render/scenes.hpp"
 #include "render/textured.hpp"
 #include "scene/path_depth.hpp"
@@ -108,6 +109,25 @@ IMAGE_TEST_CASE("surfaces that absorb nothing look like the even light around th
     double sum = 0;
     for (std::size_t i = 0; i < image.data.size(); i += 4) sum += double{image.data[i]};
     CHECK(sum / static_cast<double>(image.data.size() / 4) == doctest::Approx(1).epsilon(0.02));
+}
+
+IMAGE_TEST_CASE("metal shows the environment bent by glass as by rays") {
+    test::Studio render(context, 24, 18);
+    Scene scene;
+    scene.add({.mesh = test::rectangle(8), .material = metal(0.15), .to_world = test::plate_at(-1, 2)});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+               .material = dielectric({.int_ior = 1.5, .ext_ior = 1}),
+               .to_world = test::at(0, -0.3, 0, 0.6)});
+    EquirectImage image(64, 33, 1);
+    for (int y = 0; y < 33; ++y)
+        for (int x = 0; x < 64; ++x) image.at(0, y, x)[0] = static_cast<float>(1.1 + std::cos(0.2 * x));
+    scene.set_environment(image_environment(image), glm::dmat3(1), 1);
+    const StokesImage truth = render(scene, {.method = Method::reference, .samples = 512, .max_depth = 12});
+    RenderOptions options = following(64);
+    options.order_high = 16;
+    const StokesImage shown = render(scene, options);
+    CHECK(rms_difference(shown, truth) / rms(truth) < 0.06);
+    CHECK(polarized_difference(shown, truth) < 0.03);
 }
 
 IMAGE_TEST_CASE("rays follow nothing where metal sees no other surface, or light does not bounce") {

@@ -217,13 +217,14 @@ void SmoothChains::find_hits(std::span<const Chain> chains, std::vector<std::opt
 }
 
 SmoothChains::Chain SmoothChains::after_event(const Chain& chain, std::uint32_t matrices,
-                                              std::uint32_t number) {
+                                              std::uint32_t number) const {
+    const bool shows_glass = all_followed_sampled(input_.sampled);
     // Events take choices of their own from smaller numbers.
     constexpr std::uint32_t first = 1U << 16;
     Chain next = chain;
     next.way.matrices = matrices;
     ++next.events;
-    next.lit = chain.lobes_lit;
+    next.lit = chain.lobes_lit && !shows_glass;
     next.seed = sample_seed(chain.seed, first + number);
     next.shown = kNoTriangle;
     return next;
@@ -264,7 +265,7 @@ void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::v
                                                  .forward = chain.ray.direction,
                                                  .up = chain.received[1],
                                                  .right = chain.received[0]},
-                                       !chain.lit, chain.events < input_.bounces},
+                                       !chain.lit && !chain.lobes_lit, chain.events < input_.bounces},
                              .way = chain.way});
 }
 

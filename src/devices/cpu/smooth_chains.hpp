@@ -63,7 +63,7 @@ private:
         double carried;  ///< fraction of the sample's light
         int events;      ///< number of events so far
         bool lit;        ///< whether the surfaces before have reflected the lights on the ray already
-        /// Whether a lobe has reflected the lights on the ray already, even those behind glass.
+        /// Whether a lobe has reflected the surfaces' own emission on the ray already, even behind glass.
         bool lobes_lit;
         bool scattered;              ///< whether facets have scattered the chain
         const SmoothBoundary* body;  ///< body that the ray travels through; null: none
@@ -141,7 +141,7 @@ private:
 
     /// Returns a chain that goes on after an event; its ray is still the one that came to the event.
     /// matrices: Way::matrices. number: of the chain, among those of the event.
-    [[nodiscard]] static Chain after_event(const Chain& chain, std::uint32_t matrices, std::uint32_t number);
+    [[nodiscard]] Chain after_event(const Chain& chain, std::uint32_t matrices, std::uint32_t number) const;
     /// Returns whether a ray that leaves a point meets nothing.
     [[nodiscard]] bool leaves_all(std::uint32_t triangle, const glm::dvec3& facet,
                                   const glm::dvec3& direction) const {
