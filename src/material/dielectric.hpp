@@ -31,6 +31,8 @@ struct SmoothBoundary {
     FilmTablePtr film = nullptr;
 
     [[nodiscard]] bool rough() const noexcept { return alpha > 0; }
+    /// Returns whether light that passes changes its direction.
+    [[nodiscard]] bool bends() const noexcept { return rough() || (behind == Behind::body && eta != 1); }
     /// Returns the number of channels; 1 if the boundary is equal in every channel.
     [[nodiscard]] int channels() const noexcept;
     /// Returns everything that the values depend on, as text.

@@ -136,8 +136,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if (follows_rays) smooth_.update(visibility_.surfaces(), drawn_rays_, follows_lobes);
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
-        visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
-        run.statistics);
+        visibility_.surfaces(), rays_, {follows_rays && options.shadows ? &smooth_ : nullptr, bounces},
+        lighting, run.statistics);
     rays_.release();
     sampled_ = local_lights_.any() || follows_smooth(options, executor);
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);

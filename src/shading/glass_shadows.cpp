@@ -72,11 +72,13 @@ void GlassShadows::dim(const RayPacket& packet, std::uint32_t points, LaneLight&
             for (std::size_t c = 0; c < light.irradiance.size(); ++c)
                 multiply(light, c, i, factor_of(static_cast<int>(c)));
         };
-        for_crossings({.origin = glm::dvec3(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]),
-                       .direction = glm::normalize(
-                           glm::dvec3(packet.direction_x[i], packet.direction_y[i], packet.direction_z[i])),
-                       .farthest = static_cast<double>(packet.farthest[i])},
-                      multiply_all);
+        const bool open =
+            for_crossings({.origin = glm::dvec3(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]),
+                           .direction = glm::normalize(glm::dvec3(
+                               packet.direction_x[i], packet.direction_y[i], packet.direction_z[i])),
+                           .farthest = static_cast<double>(packet.farthest[i])},
+                          multiply_all);
+        if (!open) multiply_all([](int /*channel*/) { return 0.0; }, 1);
     }
 }
 

@@ -27,6 +27,10 @@ constexpr float kResolved = 0.25F;
 constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F), glm::vec2(0.25F, 0.75F),
                                              glm::vec2(0.75F, 0.25F)};
 
+std::uint64_t count_of(const std::optional<ShadowRays>& rays) {
+    return rays ? rays->count() : 0;
+}
+
 LaneVectors in_lanes(std::span<const glm::vec3> from) {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[std::min(i, from.size() - 1)]);
@@ -49,6 +53,8 @@ LitBatch::LitBatch(const Views& views, const LitPoints& points, const LitMateria
     // The bake says what is shadowed, but clear glass stops none of its rays.
     if (rays != nullptr && points.receives_shadows && (points.shadowed || lights.glass != nullptr))
         shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
+    if (shadows_ && lights.environment && lights.glass_of_environment != lights.glass)
+        before_environment_.emplace(*rays, lights.glass_of_environment.get(), positions_, origins_);
     if (lights.before_mirrors != nullptr && (any_layer_has(true) || points.rays_pass_glass))
         before_mirrors_.emplace(*lights.before_mirrors, nullptr, positions_, origins_);
 }
@@ -169,6 +175,15 @@ void LitBatch::add_mirrored(const LightSource& source) {
     add_mirrored();
 }
 
+void LitBatch::add_focused(const FocusedLight& focused, SampledTerms find_it) {
+    focused.gather(points_.positions, points_.normals, light_);
+    const std::uint32_t lit = lit_points();
+    if (lit == 0) return;
+    for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+        reflected_.add(layer, weights, light_, there, 1.0F, sums_, find_it);
+    });
+}
+
 void LitBatch::add_environment(const SampledEnvironment& environment) {
     for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
         for (const Lobe& lobe : ReflectedLight::sampled_lobes(layer, environment.sampled()))
@@ -186,12 +201,11 @@ bool LitBatch::any_layer_has(bool smooth) const {
 }
 
 LightingTally LitBatch::tally() const {
-    LightingTally out{
-        .rays = (shadows_ ? shadows_->count() : 0) + (before_mirrors_ ? before_mirrors_->count() : 0),
-        .rays_spared = rays_spared_,
-        .values = sums_.size() * points_.positions.size(),
-        .power = 0,
-        .noise = noise_};
+    LightingTally out{.rays = count_of(shadows_) + count_of(before_environment_) + count_of(before_mirrors_),
+                      .rays_spared = rays_spared_,
+                      .values = sums_.size() * points_.positions.size(),
+                      .power = 0,
+                      .noise = noise_};
     for (const std::array<Lanes, 4>& stokes : sums_)
         for (const float s0 : stokes[0].value) out.power += double{s0} * double{s0};
     return out;
@@ -214,8 +228,7 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
         const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
         const std::uint32_t even = (pairs + 1) / 2;
         seen_lit_ = seen_hidden_ = 0;
-        LightShadows shadowing(points_.rays_pass_glass ? before_mirrors() : shadows(), points_.places,
-                               2 * even);
+        LightShadows shadowing(before_lobes(), points_.places, 2 * even);
         seed(~sampled_parts_++);
         // Returns the points that light_, the light of a node, reaches.
         const auto lit_by = [&](const ReflectedNode& node, std::uint32_t k) {

@@ -46,6 +46,8 @@ public:
                         const Lanes& there);
     /// Adds the smooth terms' reflection of one light.
     void add_mirrored(const LightSource& source);
+    /// Adds the rough terms' reflection of light that smooth surfaces send, but for terms that find it.
+    void add_focused(const FocusedLight& focused, SampledTerms find_it);
     /// Adds the sampled terms' reflection of the environment.
     void add_environment(const SampledEnvironment& environment);
 
@@ -97,11 +99,16 @@ private:
     void seed(std::uint32_t index);
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
     [[nodiscard]] ShadowRays* before_mirrors() { return before_mirrors_ ? &*before_mirrors_ : shadows(); }
+    // Returns the shadow rays of sampled lobes.
+    [[nodiscard]] ShadowRays* before_lobes() {
+        if (points_.rays_pass_glass) return before_mirrors();
+        return before_environment_ ? &*before_environment_ : shadows();
+    }
 
     Lanes unshadowed_{};  // s0 of dim lights that were added without shadows
     LaneVectors positions_, origins_, facets_;
     MirroredPixels pixels_;  // in the surfaces' frames
-    std::optional<ShadowRays> shadows_, before_mirrors_;
+    std::optional<ShadowRays> shadows_, before_environment_, before_mirrors_;
     ReflectedLight reflected_;
     PixelPlaces places_;
     std::uint64_t rays_spared_ = 0;  // shadow rays of dim lights that were added without shadows

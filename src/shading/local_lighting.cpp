@@ -58,7 +58,7 @@ LocalLighting LocalLighting::with_light(LightSourcePtr source, std::size_t index
     Lights lights;
     lights.local.push_back(std::move(source));
     lights.before_mirrors = lights_.before_mirrors;
-    lights.glass = lights_.glass;
+    lights.glass = lights.glass_of_environment = lights_.glass_of_environment;
     lights.first_index = static_cast<std::uint32_t>(index);
     return {std::move(lights), rays_, static_cast<int>(samples_), 0};
 }
@@ -93,6 +93,8 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
         list(lights_.extracted, sampled);
         add_sources(sources, negligible_, s0_of(out), samples, batch);
     }
+    if (lights_.focused) batch.add_focused(*lights_.focused, SampledTerms::none);
+    if (lights_.focused_extracted) batch.add_focused(*lights_.focused_extracted, sampled);
     if (batch.any_layer_has(true)) {
         for (const LightSourcePtr& source : lights_.local) batch.add_mirrored(*source);
         if (sampled.kind != SampledTerms::anisotropic_narrow)

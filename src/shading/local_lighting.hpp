@@ -17,6 +17,7 @@
 #include "material/material.hpp"
 #include "polarization/views.hpp"
 #include "shading/bounced_light.hpp"
+#include "shading/focused_light.hpp"
 #include "shading/glass_shadows.hpp"
 #include "shading/light_source.hpp"
 #include "shading/pixel_origins.hpp"
@@ -89,8 +90,11 @@ public:
         /// Surfaces that hide light from mirrors, and from the lobes of LitPoints::rays_pass_glass; null:
         /// those that cast shadows.
         std::shared_ptr<const RayScene> before_mirrors;
-        std::shared_ptr<const GlassShadows> glass;  ///< glass that light passes; null: none
-        std::uint32_t first_index = 0;              ///< index of the first light, by which lights are sampled
+        /// Glass that the light of lamps, and that of the environment's samples, passes; null: none.
+        std::shared_ptr<const GlassShadows> glass, glass_of_environment;
+        /// Light of `local` and of `extracted` that smooth surfaces send to others; null: none is known.
+        std::shared_ptr<const FocusedLight> focused, focused_extracted;
+        std::uint32_t first_index = 0;  ///< index of the first light, by which lights are sampled
 
         [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };

@@ -13,14 +13,18 @@
 
 namespace nicol {
 
-GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstHit intersect) {
+GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstHit intersect,
+                                           PassedGlass glass) {
     std::vector<const SmoothBoundary*> boundaries(geometry.triangles.size());
     std::vector<std::uint8_t> passed(geometry.triangles.size());  // 1: of instances that cast no shadows
     for (const TriangleBatch& batch : triangle_batches(geometry)) {
         const VertexRange& range = geometry.ranges[batch.range];
         const auto first = static_cast<std::ptrdiff_t>(batch.first);
         const auto last = static_cast<std::ptrdiff_t>(batch.last);
-        std::fill(boundaries.begin() + first, boundaries.begin() + last, range.material->smooth_boundary());
+        const SmoothBoundary* boundary = range.material->smooth_boundary();
+        if (glass == PassedGlass::unbent && boundary != nullptr && boundary->bends() && !boundary->rough())
+            boundary = nullptr;
+        std::fill(boundaries.begin() + first, boundaries.begin() + last, boundary);
         std::fill(passed.begin() + first, passed.begin() + last, range.roles.casts_shadows ? 0 : 1);
     }
     return [&geometry, intersect = std::move(intersect), boundaries = std::move(boundaries),
@@ -67,7 +71,7 @@ std::shared_ptr<const BakeGlass> glass_of(const std::shared_ptr<const WorldGeome
                              .numbers = numbers};
     out->surfaces = std::make_shared<const RayScene>(std::span(&surface, 1));
     const auto intersect = [rays = out->surfaces](const Ray& ray) { return rays->intersect(ray); };
-    const GlassShadows shadows(out->surfaces, first_crossing(*geometry, intersect));
+    const GlassShadows shadows(out->surfaces, first_crossing(*geometry, intersect, PassedGlass::all));
     // The materials keep their boundaries, which a later change of the geometry's ranges may give up.
     out->transmittance = [shadows, geometry, materials = std::move(materials)](const Ray& ray) {
         return shadows.transmittance(ray);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shading/extracted_source.hpp"
+#include "surfaces/photon_paths.hpp"
 #include "surfaces/rigid_motion.hpp"
 #include "surfaces/tangents.hpp"
 #include "visibility/bake_origins.hpp"
@@ -43,7 +44,7 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 }  // namespace
 
 void LocalLights::update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                         SurfaceRays& rays, const SmoothSurfaces* smooth, const RenderOptions& options,
+                         SurfaceRays& rays, const Followed& followed, const RenderOptions& options,
                          Statistics& statistics) {
     materials_.run(surfaces.version(), surfaces.material_version(), distant.sampled, [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
@@ -75,34 +76,51 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                 std::make_shared<const NodeGrids>(static_cast<std::size_t>(options.bsdf_samples));
         });
     }
+    const SmoothSurfaces* const smooth = followed.smooth;
     const auto before_mirrors = smooth != nullptr ? smooth->before_mirrors() : nullptr;
-    const auto glass = smooth != nullptr ? smooth->glass() : nullptr;
     const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
     const bool all_cast = (options.disabled_optimisations & skip_dim_lights) != 0;
     const double negligible = all_cast ? 0 : kNegligible * options.tolerance;
     tracing_.run(surfaces.version(), shadows, [&] { rays_.change() = shadows ? rays.get() : nullptr; });
-    making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, grids_.version(),
-                distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
-                scene.light_scale(), before_mirrors, glass, negligible, [&] {
-                    if (!lit && !any()) return;  // the lighting of vertices stays as it is
-                    LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
-                    lights_ = lights.local.size() + lights.extracted.size();
-                    std::optional<LocalLighting>& lighting = lighting_.change();
-                    lighting.reset();
-                    if (!lit) return;
-                    if (sampled)
-                        lights.environment.emplace(
-                            filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
-                            static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
-                    lights.before_mirrors = before_mirrors;
-                    lights.glass = glass;
-                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples, negligible);
-                });
+    making_.run(
+        scene.local_light_version(), scene.emission_version(), scene.geometry_version(), surfaces.to_world(),
+        rays_.version(), mirrors_, options.light_samples, grids_.version(), distant.sampled,
+        filtered_.version(), distant.extracted_lights, distant.rotation, scene.light_scale(), before_mirrors,
+        smooth != nullptr ? smooth->version() : 0, followed.events, negligible, [&] {
+            if (!lit && !any()) return;  // the lighting of vertices stays as it is
+            LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
+            lights_ = lights.local.size() + lights.extracted.size();
+            std::optional<LocalLighting>& lighting = lighting_.change();
+            lighting.reset();
+            if (!lit) return;
+            if (sampled)
+                lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
+                                           static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
+            lights.before_mirrors = before_mirrors;
+            if (smooth != nullptr) focus(scene, surfaces, followed, lights);
+            lighting.emplace(std::move(lights), rays_->get(), options.light_samples, negligible);
+        });
     statistics.local_lights = lights_;
     if (whole) statistics.response_bytes += filtered_->whole->bytes();
     if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
+}
+
+void LocalLights::focus(const Scene& scene, const RefinedSurfaces& surfaces, const Followed& followed,
+                        LocalLighting::Lights& lights) {
+    const SmoothSurfaces& smooth = *followed.smooth;
+    lights.glass = lights.glass_of_environment = smooth.glass();
+    if (followed.events == 0 || !smooth.any()) return;
+    lights.glass = smooth.unbent_glass();
+    const PhotonScene photons{.geometry = surfaces.geometry(),
+                              .smooth = smooth,
+                              .events = followed.events,
+                              .channels = static_cast<std::size_t>(scene.channels())};
+    focusing_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
+                  surfaces.to_world(), smooth.version(), followed.events,
+                  [&] { focused_ = focused_light(photons, lights.local); });
+    lights.focused = focused_;
+    lights.focused_extracted = focused_light(photons, lights.extracted);
 }
 
 void LocalLights::find_vertex_origins(const RefinedSurfaces& surfaces) {

@@ -34,10 +34,16 @@ public:
         SampledTerms sampled;        ///< terms that reflect samples of the rest
         const glm::dmat3& rotation;  ///< from the environment's axes to the surfaces' axes
     };
+    /// Surfaces that rays follow.
+    struct Followed {
+        const SmoothSurfaces* smooth;  ///< null: none
+        /// Largest number of reflections and refractions of light on its way from a lamp to another surface;
+        /// 0: glass dims the light of lamps, and bends none.
+        int events;
+    };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
-    /// smooth: surfaces that rays follow; null: none.
     void update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                SurfaceRays& rays, const SmoothSurfaces* smooth, const RenderOptions& options,
+                SurfaceRays& rays, const Followed& followed, const RenderOptions& options,
                 Statistics& statistics);
 
     /// Finds the start points of shadow rays beside vertices, if they are to be lit. any() must be true.
@@ -61,6 +67,9 @@ public:
 private:
     [[nodiscard]] LocalLighting::Lights make_lights(const Scene& scene, const DistantLight& distant,
                                                     const glm::dmat4& to_world);
+    // Finds the light that smooth surfaces send to others.
+    void focus(const Scene& scene, const RefinedSurfaces& surfaces, const Followed& followed,
+               LocalLighting::Lights& lights);
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
@@ -78,12 +87,15 @@ private:
     Versioned<Filtered> filtered_;
     Stage<int> placing_;  // samples of lobes
     Versioned<std::shared_ptr<const NodeGrids>> grids_;
+    // Inputs: lights, emission, placements of instances, the axes, smooth surfaces, events.
+    Stage<Version, Version, Version, glm::dmat4, Version, int> focusing_;
+    std::shared_ptr<const FocusedLight> focused_;  // light of `local`
     // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
     // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors,
-    // glass; share of light that is negligible.
+    // smooth surfaces, events; share of light that is negligible.
     Stage<Version, Version, Version, glm::dmat4, Version, bool, int, Version, SampledTerms, Version,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double,
-          std::shared_ptr<const RayScene>, std::shared_ptr<const GlassShadows>, double>
+          std::shared_ptr<const RayScene>, Version, int, double>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
     std::map<std::uint32_t, glm::dvec3> axes_;  // by id of the emissive instance

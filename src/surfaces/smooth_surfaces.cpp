@@ -68,13 +68,19 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bo
     });
     shading_.run(surfaces.version(), surfaces.material_version(), [&] {
         glass_.reset();
+        unbent_glass_.reset();
+        version_ = new_version();
         const auto transmits = [](Smoothness is) {
             return is == Smoothness::boundary || is == Smoothness::rough_boundary;
         };
-        if (std::ranges::any_of(of_triangles_, transmits))
-            glass_ = std::make_shared<const GlassShadows>(
-                rays_->scene(),
-                first_crossing(geometry, [rays = rays_](const Ray& ray) { return rays->intersect(ray); }));
+        if (std::ranges::none_of(of_triangles_, transmits)) return;
+        const auto glass = [&](PassedGlass passed) {
+            const auto intersect = [rays = rays_](const Ray& ray) { return rays->intersect(ray); };
+            return std::make_shared<const GlassShadows>(rays_->scene(),
+                                                        first_crossing(geometry, intersect, passed));
+        };
+        glass_ = glass(PassedGlass::all);
+        unbent_glass_ = glass(PassedGlass::unbent);
     });
 }
 

@@ -54,9 +54,20 @@ public:
     /// Returns the ray hierarchy if light passes some surfaces, which mirrors then show; else null.
     [[nodiscard]] std::shared_ptr<const RayScene> before_mirrors() const;
 
+    /// Returns the first hit of a ray, as intersect() of several does.
+    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const { return rays_->intersect(ray); }
+    /// Returns RayScene::occluded(). any() must be true.
+    [[nodiscard]] bool occluded(const Ray& ray) const { return rays_->scene()->occluded(ray); }
+
     /// Returns the glass that light passes on its way to other surfaces; null: none. Holds until the surfaces
     /// change.
     [[nodiscard]] const std::shared_ptr<const GlassShadows>& glass() const noexcept { return glass_; }
+    /// Returns the same glass where that which bends light stops it.
+    [[nodiscard]] const std::shared_ptr<const GlassShadows>& unbent_glass() const noexcept {
+        return unbent_glass_;
+    }
+    /// Returns a version that changes whenever the surfaces do.
+    [[nodiscard]] Version version() const noexcept { return version_; }
 
     [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size() + open_.size(); }
 
@@ -69,7 +80,8 @@ private:
     Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const DrawnTriangles> rays_;
     Stage<Version, Version> shading_;  // vertices and triangles, materials
-    std::shared_ptr<const GlassShadows> glass_;
+    std::shared_ptr<const GlassShadows> glass_, unbent_glass_;
+    Version version_ = 0;
 };
 
 }  // namespace nicol

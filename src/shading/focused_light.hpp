@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Light of lamps that smooth surfaces reflect or refract to other surfaces, kept as photons.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "light/lane_light.hpp"
+
+namespace nicol {
+
+/// Part of the light, where it reaches a surface.
+struct Photon {
+    glm::vec3 position;
+    glm::vec3 normal;   ///< unit normal of the surface, on the side that the light reaches
+    glm::vec3 towards;  ///< unit vector towards the place that the light comes from
+};
+
+/// Density of photons on surfaces. Each photon is spread over a disc that reaches to its neighbours.
+/// Immutable; threads share it.
+class FocusedLight {
+public:
+    /// powers: [photon][channel], unpolarized. Runs on the calling thread's TBB arena.
+    FocusedLight(std::vector<Photon> photons, std::vector<float> powers, std::size_t channels);
+
+    /// Computes the unpolarized light at points of surfaces, at most kLanes, from its mean direction. `out`
+    /// contains the points that light reaches; distances are infinite. normals: unit shading normals.
+    void gather(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                LaneLight& out) const;
+
+    [[nodiscard]] std::size_t photons() const noexcept { return photons_.size(); }
+
+private:
+    using Range = std::pair<std::uint32_t, std::uint32_t>;
+
+    void find_radii();
+    void fill_cells();
+
+    std::vector<Photon> photons_;
+    std::vector<float> powers_;
+    std::size_t channels_;
+    std::vector<float> radii_;
+    std::vector<int> levels_;  // binary exponents of the sizes of cells
+    std::vector<std::uint32_t> in_cells_;
+    std::unordered_map<std::uint64_t, Range> cells_;  // ranges of in_cells_
+};
+
+}  // namespace nicol

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Tests of light of lamps that glass and mirrors send to other surfaces.
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "material/dielectric.hpp"
+#include "render/scenes.hpp"
+
+using namespace nicol;
+using test::rms;
+using test::rms_difference;
+
+namespace {
+
+RenderOptions bouncing(int max_depth) {
+    return {.bake_directions = 512, .shade_at = ShadeAt::automatic, .max_depth = max_depth};
+}
+
+LocalLight lamp_at(const glm::dvec3& place) {
+    LocalLight lamp;
+    lamp.value = {20};
+    lamp.to_world = test::at(place.x, place.y, place.z);
+    return lamp;
+}
+
+/// Returns the light of a place (0, 0, 0) on a floor in each of three channels.
+std::array<double, 3> shown_floor(test::Studio& studio, Scene& scene, int max_depth) {
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5, 0.5, 0.5})});
+    Camera camera = test::camera_at({0, 5, 1});
+    camera.fov = 0.2;
+    const StokesImage image = studio(scene, bouncing(max_depth), camera);
+    std::array<double, 3> out{};
+    for (std::size_t c = 0; c < out.size(); ++c) {
+        for (int i = 0; i < 64; ++i)
+            out[c] += static_cast<double>(image.stokes(static_cast<int>(c), i / 8, i % 8)[0]) / 64;
+    }
+    return out;
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("a lamp behind a block of glass lights a floor as from nearer by, in each channel") {
+    test::Studio studio(context, 8, 8);
+    const std::vector<double> absorption{0.7, 0, 0.1};
+    const auto lit = [&](bool glass) {
+        Scene scene;
+        if (glass)
+            scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                       .material = dielectric({.int_ior = 1.5, .ext_ior = 1, .absorption = absorption}),
+                       .to_world = test::at(0, 0, 2, 0.5)});
+        scene.add_light(lamp_at({0, 0, 6}));
+        return shown_floor(studio, scene, 4);
+    };
+    const auto open = lit(false), behind = lit(true);
+    // A block of thickness 1 brings the lamp nearer by 1 - 1 / 1.5.
+    const double nearer = std::pow(6 / (6 - (1 - 1 / 1.5)), 2);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(c);
+        CHECK(behind[c] / open[c] ==
+              doctest::Approx(0.96 * 0.96 * nearer * std::exp(-absorption[c])).epsilon(0.03));
+    }
+}
+
+IMAGE_TEST_CASE("a mirror lights a floor by the mirror image of a lamp") {
+    test::Studio studio(context, 8, 8);
+    const auto lit = [&](bool mirrored) {
+        Scene scene;
+        if (mirrored)
+            scene.add({.mesh = test::rectangle(1),
+                       .material = conductor({{0.0, -100.0}}),
+                       .to_world = test::at(-2, 0, 0, 6) *
+                                   glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 1, 0))});
+        scene.add_light(lamp_at({0, 0, 3}));
+        return shown_floor(studio, scene, 3)[1];
+    };
+    const double direct = 1 / 9.0, mirrored = 3 / std::pow(5, 3);
+    CHECK(lit(true) / lit(false) == doctest::Approx(1 + mirrored / direct).epsilon(0.03));
+}
+
+IMAGE_TEST_CASE("a ball of glass focuses the light of a lamp on a floor as by rays") {
+    test::Studio studio(context, 32, 24);
+    Scene scene;
+    scene.add({.mesh = test::rectangle(16), .material = diffuse({0.5}), .to_world = test::plate_at(-1.2, 3)});
+    scene.add({.mesh = test::fine_sphere(), .material = dielectric({.int_ior = 1.5, .ext_ior = 1})});
+    scene.add({.mesh = test::fine_sphere(),
+               .material = diffuse({0}),
+               .to_world = test::at(-1.5, 4, -1, 0.6),
+               .emission = std::make_shared<const Emission>(Emission{.radiance = {10}})});
+    RenderOptions options = bouncing(6);
+    options.pixel_samples = 16;
+    const StokesImage image = studio(scene, options);
+    const StokesImage rays = studio(scene, {.method = Method::reference, .samples = 4096, .max_depth = 6});
+    CHECK(rms_difference(image, rays) < 0.08 * rms(rays));
+    // The glass alone would dim the light.
+    options.max_depth = 2;
+    CHECK(rms_difference(studio(scene, options), rays) > 0.2 * rms(rays));
+}
