@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
@@ -197,11 +198,15 @@ private:
             LaneVectors positions;
             Lanes u, v;
             for (std::size_t i = 0; i < kLanes; ++i) {
-                const glm::vec2 of_source = sample_at(begin + i, index);
+                // Golden ratios of the plane (Roberts, 2018) have nothing in common with the sequences of
+                // places, so that each place meets all parts of the source.
+                const glm::dvec2 of_source =
+                    glm::fract(0.5 + static_cast<double>(begin + i) *
+                                         glm::dvec2(0.7548776662466927, 0.5698402909980532));
                 meetings[i] = start_at(smooth, begin + i, count);
                 put(positions, i, glm::vec3(meetings[i].position));
-                u[i] = of_source.x;
-                v[i] = of_source.y;
+                u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
+                v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
             }
             source.sample(positions, u, v, light);
             for (std::size_t i = 0; i < kLanes; ++i) {
