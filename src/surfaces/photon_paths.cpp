@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -295,9 +294,8 @@ private:
         thread_local std::vector<Mueller> muellers;
         muellers.assign(path.powers.size(), Mueller());
         add_terms(
-            material, {-sine, 0, cosine}, {sine, 0, cosine}, glm::vec3(1),
-            4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * cosine * cosine, [](int) { return true; },
-            muellers);
+            material, {-sine, 0, cosine}, {sine, 0, cosine}, glm::vec3(1), kMirrorScale * cosine * cosine,
+            [](int) { return true; }, muellers);
         for (std::size_t c = 0; c < path.powers.size(); ++c) path.powers[c] *= muellers[c](0, 0);
         path.direction = glm::normalize(path.direction + 2 * cosine * at.normal);
         path.bent = true;
