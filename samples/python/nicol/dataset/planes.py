@@ -115,5 +115,18 @@ def exposure_of(recipe, draw, light):
         s0 = numpy.moveaxis(light[..., 0], -1, 0)
     else:
         s0 = [light.plane(nicol.PLANE_S0, channel) for channel in range(light.get_size()[2])]
-    bright = float(numpy.percentile(sum(s0), drawn["percentile"], overwrite_input=True)) / len(s0)
+    bright = percentile(sum(s0), drawn["percentile"]) / len(s0)
     return float(drawn.get("level", 0.8)) / bright if bright > 0 else 1.0
+
+
+def percentile(numbers, percent):
+    """Returns numpy.percentile() of 32-bit floats, which are put into another order, with the same bits for every version of
+    numpy, in a third of its time."""
+    numbers = numbers.reshape(-1)
+    place = (numbers.size - 1) * (percent / 100)
+    below = int(place)
+    numbers.partition(below)
+    lower, part = numbers[below], place - below
+    upper = numbers[below + 1 :].min() if below + 1 < numbers.size else lower
+    step = float(upper - lower)
+    return float(lower) + step * part if part < 0.5 else float(upper) - step * (1 - part)
