@@ -33,30 +33,33 @@ def children_used():
     return used.ru_utime + used.ru_stime
 
 
-def nodes(cores, count):
-    """Renders count frames for each core, and returns pictures a minute, by the clock and by processor time alone."""
+def nodes(parts, count):
+    """Renders count frames for each of the parts, pairs of a core and the number of its frames' part, and returns pictures a
+    minute, by the clock and by processor time alone."""
     command = [sys.executable, "-m", "nicol.dataset", os.path.join(HERE, "random.json"), "--threads", "1"]
     with tempfile.TemporaryDirectory() as place:
         start, used = time.monotonic(), children_used()
         programs = [
             subprocess.Popen(
-                [*command, "--output", place, "--frames", f"{i * count}:{(i + 1) * count}"],
+                [*command, "--output", place, "--frames", f"{part * count}:{(part + 1) * count}"],
                 preexec_fn=lambda core=core: os.sched_setaffinity(0, {core}), stdout=subprocess.DEVNULL,
             )
-            for i, core in enumerate(cores)
+            for core, part in parts
         ]  # fmt: skip
         if any([program.wait() for program in programs]):
             sys.exit("a program failed")
         seconds, used = time.monotonic() - start, children_used() - used
-    return 60 * count * len(cores) / seconds, 60 * count * len(cores) / (used / len(cores))
+    return 60 * count * len(parts) / seconds, 60 * count * len(parts) / (used / len(parts))
 
 
 def compare_nodes(count):
     cores = sorted(os.sched_getaffinity(0))[:2]
     if len(cores) < 2:
         sys.exit("two nodes need two cores")
-    # In turn, because other programs of the machine then disturb both in the same way.
-    rounds = [(nodes([core], count), nodes(cores, count)) for core in (*cores, *cores)]
+    # In turn, because other programs of the machine then disturb both in the same way. A core has the same frames, alone or
+    # not, because some take longer than others.
+    parts = list(zip(cores, range(2)))
+    rounds = [(nodes([part], count), nodes(parts, count)) for part in (*parts, *parts)]
     one, two = (tuple(statistics.median(part) for part in zip(*half)) for half in zip(*rounds))
     print(f"one node of one core  {one[0]:7,.0f} a minute {one[1]:7,.0f} a minute of processor time")
     print(f"two nodes             {two[0]:7,.0f} a minute {two[1]:7,.0f} a minute of processor time on both")
