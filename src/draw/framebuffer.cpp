@@ -149,6 +149,23 @@ Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, std::span<const u
     }
 }
 
+std::vector<gl::RenderTarget>& Framebuffer::groups() {
+    if (!on_device_) upload();
+    return groups_;
+}
+
+void Framebuffer::upload() {
+    const std::size_t plane = image_.data.size() / static_cast<std::size_t>(channels_);
+    context_->run([&] {
+        for (int c = 0; c < channels_; ++c) {
+            groups_[static_cast<std::size_t>(c / kGroup)].write(
+                c % kGroup,
+                std::span<const float>(image_.data).subspan(static_cast<std::size_t>(c) * plane, plane));
+        }
+    });
+    on_device_ = true;
+}
+
 const StokesImage& Framebuffer::image() {
     if (!has_image_) {
         const Stopwatch watch;
@@ -213,17 +230,9 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
         throw Error(ErrorCode::invalid_argument,
                     "Framebuffer::show: the image must have the framebuffer's size and channels");
     }
-    const std::size_t plane = image.data.size() / static_cast<std::size_t>(channels_);
-    context_->run([&] {
-        for (int c = 0; c < channels_; ++c) {
-            groups_[static_cast<std::size_t>(c / kGroup)].write(
-                c % kGroup,
-                std::span<const float>(image.data).subspan(static_cast<std::size_t>(c) * plane, plane));
-        }
-    });
-    new_content(statistics);
-    image_ = std::move(image);
-    has_image_ = true;
+    rendered(image, statistics);
+    // A host may read its textures at any time.
+    if (context_->info().backend == gl::Backend::host) upload();
     drew_aovs(aovs.mask(), 0, nullptr);
     aovs_ = std::move(aovs);
 }
@@ -232,6 +241,7 @@ void Framebuffer::exchange(Framebuffer& other) {
     std::swap(groups_, other.groups_);
     std::swap(image_, other.image_);
     std::swap(has_image_, other.has_image_);
+    std::swap(on_device_, other.on_device_);
     std::swap(aov_mask_, other.aov_mask_);
     std::swap(aovs_drawn_, other.aovs_drawn_);
     std::swap(aov_attachments_, other.aov_attachments_);
@@ -243,6 +253,13 @@ void Framebuffer::exchange(Framebuffer& other) {
 void Framebuffer::rendered(const Statistics& statistics) {
     new_content(statistics);
     has_image_ = false;
+}
+
+void Framebuffer::rendered(StokesImage& image, const Statistics& statistics) {
+    std::swap(image_, image);
+    has_image_ = true;
+    on_device_ = false;
+    new_content(statistics);
 }
 
 void Framebuffer::new_content(const Statistics& statistics) {

@@ -39,8 +39,14 @@ public:
     [[nodiscard]] const std::shared_ptr<gl::Context>& context() const noexcept { return context_; }
     [[nodiscard]] gl::LendingMutex& mutex() noexcept { return mutex_; }
 
-    /// Returns the groups. A group has the channels from group * kGroup on.
-    [[nodiscard]] std::vector<gl::RenderTarget>& groups() noexcept { return groups_; }
+    /// Returns the groups. A group has the channels from group * kGroup on. Uploads an image that was made in
+    /// memory at the first call after it.
+    [[nodiscard]] std::vector<gl::RenderTarget>& groups();
+    /// Returns the groups to draw over all of their pixels.
+    [[nodiscard]] std::vector<gl::RenderTarget>& groups_to_replace() noexcept {
+        on_device_ = true;
+        return groups_;
+    }
 
     /// Returns the image in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
@@ -75,12 +81,16 @@ public:
 
     /// Records that a render has drawn.
     void rendered(const Statistics& statistics);
+    /// Exchanges the image in memory with that of a render, which must have this size and these channels.
+    void rendered(StokesImage& image, const Statistics& statistics);
     [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }
     /// Returns a number that identifies the content. The number is new after each render, and no other
     /// framebuffer ever has it.
     [[nodiscard]] std::uint64_t content() const noexcept { return content_; }
 
 private:
+    /// Copies the image in memory to the groups.
+    void upload();
     /// Numbers the content, and keeps its statistics.
     void new_content(const Statistics& statistics);
 
@@ -94,6 +104,7 @@ private:
     // Keeps its memory from one content to the next, because new pages take longer than the pixels.
     StokesImage image_;
     bool has_image_ = false;
+    bool on_device_ = true;  // whether the groups have the image
     std::uint32_t aov_mask_ = 0;
     std::uint32_t aovs_drawn_ = 0;
     std::shared_ptr<gl::RenderTarget> aov_attachments_;  // attachments of aovs_drawn_; null: not drawn

@@ -84,27 +84,31 @@ void Painter::draw(const Subject& subject, const Wanted& wanted, Framebuffer& ta
     context_->run([&] {
         aovs_.prepare(subject.surfaces.geometry(), subject.buffers, subject.alpha_masks, wanted.aovs,
                       wanted.samples, target);
-        if (subject.pixels != nullptr) {
+        if (subject.pixels != nullptr && !subject.in_memory) {
             pixels_.begin(target);
             subject.pixels->store(pixels_);
         } else {
             pixels_.clear();
         }
     });
+    if (!subject.in_memory) draw_image(subject, wanted, target);
+    context_->run([&] {
+        aovs_.draw(subject.alpha_masks, subject.projection, subject.surfaces.to_world(), target);
+        gl::finish(*context_);
+    });
+}
+
+void Painter::draw_image(const Subject& subject, const Wanted& wanted, Framebuffer& target) {
     const bool behind = draws_background(subject.scene, subject.pixels);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         const int channels = group_size(target.channels(), g);
-        gl::RenderTarget& image = target.groups()[g];
+        gl::RenderTarget& image = target.groups_to_replace()[g];
         if (subject.pixels == nullptr) {
             draw_samples(subject, wanted, g, channels, image);
         } else if (behind) {
             draw_background(subject.scene, wanted.components, subject.projection, true, g, channels, image);
         }
     }
-    context_->run([&] {
-        aovs_.draw(subject.alpha_masks, subject.projection, subject.surfaces.to_world(), target);
-        gl::finish(*context_);
-    });
 }
 
 void Painter::prepare_sample(bool several, const Framebuffer& target) {

@@ -36,14 +36,15 @@ public:
     };
 
     /// Image that a scene's surfaces are drawn into. `buffers` and `alpha_masks` must belong to `surfaces`;
-    /// `projection` is of the world. If `pixels` is not null, it has shaded the image's pixels, and vertices
-    /// are not drawn.
+    /// `projection` is of the world. If `pixels` is not null, it has made the image, and vertices are not
+    /// drawn. in_memory: whether the image stays in its memory, so that AOVs alone are drawn.
     struct Subject {
         const Scene& scene;
         const RefinedSurfaces& surfaces;
         VertexBuffers& buffers;
         const AlphaMasks& alpha_masks;
         const RenderExecutor* pixels;
+        bool in_memory;
         const Projection& projection;
     };
 
@@ -68,6 +69,8 @@ private:
     gl::Program& background_program(const Scene& scene, bool shaded, int channels);
     void compile(const Subject& subject, const Wanted& wanted, std::size_t group, int channels);
     void prepare_sample(bool several, const Framebuffer& target);
+    // Draws everything but AOVs. All pixels of `target` are replaced.
+    void draw_image(const Subject& subject, const Wanted& wanted, Framebuffer& target);
     void draw_samples(const Subject& subject, const Wanted& wanted, std::size_t group, int channels,
                       gl::RenderTarget& image);
     // Draws one sample of every pixel. projection: of the surfaces. most: triangles that are drawn of those

@@ -13,8 +13,8 @@ void PixelImage::begin(Framebuffer& target) {
 }
 
 gl::Texture2D& PixelImage::channel(int c) {
-    return target_->groups()[static_cast<std::size_t>(c / Framebuffer::kGroup)].colour(c %
-                                                                                       Framebuffer::kGroup);
+    return target_->groups_to_replace()[static_cast<std::size_t>(c / Framebuffer::kGroup)].colour(
+        c % Framebuffer::kGroup);
 }
 
 }  // namespace nicol

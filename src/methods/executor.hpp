@@ -25,6 +25,7 @@ class PixelImage;
 class LightPyramid;
 class LocalLights;
 class SmoothSurfaces;
+struct StokesImage;
 class VertexBuffers;
 struct Projection;
 
@@ -110,6 +111,13 @@ public:
     virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
     virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
 
+    /// Returns whether interpolate() makes images; otherwise the device draws the vertices that it gets from
+    /// store().
+    [[nodiscard]] virtual bool interpolates() const noexcept { return false; }
+    /// Makes an image of the vertices' Stokes vectors, the background included, as store() of pixels copies
+    /// it. The input's hits must be on the host, and the vertices of all triangles in view shaded.
+    virtual void interpolate(const PixelInput& /*input*/, RenderRun& /*run*/) {}
+
     /// Moves Stokes vectors into the physically realizable range.
     virtual void make_physical(const ShadeInput& input) = 0;
 
@@ -126,6 +134,9 @@ public:
     /// background is to be drawn. Components that were not requested are 0. Must be called inside run() of
     /// the context.
     virtual void store(PixelImage& image) const = 0;
+    /// Returns the image in the executor's memory, without components that were not requested and with the
+    /// background if adds_background(), which the caller may exchange for another one; null: it is elsewhere.
+    [[nodiscard]] virtual StokesImage* image() { return nullptr; }
     /// Adds the memory that the executor keeps outside the context to the statistics.
     virtual void count(Statistics& statistics) const = 0;
 

@@ -126,7 +126,7 @@ Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const Rend
         if (wanted.lights || wanted.instances)
             lights = adjoint_lights(scene, inverse_motion(pipeline_.surfaces().to_world()));
         AdjointExecutor executor(picture, std::move(lights));
-        pipeline_.run(scene, projection, options, executor, run, hits);
+        pipeline_.run(scene, projection, options, executor, run, hits, false);
         const LightGradients& gradients = executor.gradients();
         if (wanted.environment)
             out.environment = by_environment(gradients.distant, scene.light_scale(), options.dering);

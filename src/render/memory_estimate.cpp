@@ -169,9 +169,12 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
             : VisibilityBuffer::bytes_per_pixel(samples, VisibilityBuffer::Kept::on_device);
     const std::uint64_t of_sample =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
-    const std::uint64_t at_vertices = of_sample + of_elements;
     const std::uint64_t at_pixels = VisibilityBuffer::bytes_per_pixel(samples, hits_of(scene, options)) +
                                     PixelImage::kBytesPerPixel + planes * texel;
+    // Threads interpolate between vertices where the device would take longer.
+    const std::uint64_t at_vertices = options.executor == Executor::compute
+                                          ? of_sample + of_elements
+                                          : std::max(of_sample + of_elements, at_pixels);
     std::uint64_t bytes = 0;
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
     if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);

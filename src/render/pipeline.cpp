@@ -41,15 +41,6 @@ bool follows_rays(Method method, const RenderExecutor& executor) {
     return method == Method::factored && executor.follows_rays();
 }
 
-// Returns the largest number of events at smooth surfaces. The last segment of a path, from the last event to
-// a light, is the environment's or that of the light which surfaces reflect.
-int smooth_events(int max_depth) {
-    // Direct light is the default, which does not say how often glass is passed.
-    constexpr int of_direct_light = 8;
-    constexpr int most = 64;
-    return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
-}
-
 // Returns whether vertices that an image does not show may be left out.
 bool skips_hidden(const RenderOptions& options) {
     return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0;
@@ -88,7 +79,7 @@ void Pipeline::bake(const Scene& scene, std::span<const Projection> views,
 }
 
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
-                   RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
+                   RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits, bool on_threads) {
     TransferMethod& method = method_for(given.method);
     const bool bouncing = light_bounces(given);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
@@ -192,10 +183,18 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     visibility_.count_later_steps(run.statistics.bake_ms - before + run.statistics.relight_ms);
 
     const ShadeInput shaded{input, projection.view, {}, light_to_geometry, light_.factors(), noise_};
+    made_image_ = pixels_;
     if (pixels_) {
         shade_pixels(scene, shaded, projection, options, high_orders, executor, run, hits.get());
     } else {
         shade(shaded, projection, options, distant, executor, run);
+        if (on_threads && executor.interpolates()) {
+            made_image_ = true;
+            const VisibilityBuffer& shown = hits.get();
+            const Stopwatch watch;
+            executor.interpolate(pixel_input(scene, shaded, projection, options, executor, shown), run);
+            run.statistics.draw_ms += watch.milliseconds();
+        }
     }
 
     method.count(input, run.statistics);
@@ -264,38 +263,6 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     }
     run.statistics.vertices_unphysical += executor.finish();
     shading_.complete(chosen_);
-    run.statistics.shade_ms += watch.milliseconds();
-}
-
-void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
-                            const RenderOptions& options, bool high_orders, RenderExecutor& executor,
-                            RenderRun& run, const VisibilityBuffer& hits) {
-    const Stopwatch watch;
-    shading_.reset();  // the vertices' results then belong to another render
-    chosen_.assign(input.geometry.positions.size(), 1);
-    if (input.seen) std::ranges::copy(input.seen(), chosen_.begin());
-    input.chosen = chosen_;
-    const bool behind = scene.background() != nullptr && executor.adds_background();
-    showing_.run(scene.background(), input.channels, behind, [&] {
-        background_.reset();
-        if (behind) background_.emplace(*scene.background(), input.channels);
-    });
-    const bool smooth = follows_smooth(options, executor);
-    const EnvironmentPtr met = smooth ? scene.distant_light() : nullptr;
-    meeting_.run(met, [&] {
-        if (met)
-            sky_.emplace(*met);
-        else
-            sky_.reset();
-    });
-    method_for(options.method)
-        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-                       local_lights_.any() ? &local_lights_ : nullptr,
-                       static_cast<std::uint32_t>(options.seed), behind ? &*background_ : nullptr,
-                       scene.light_scale(), smooth ? &smooth_ : nullptr, smooth_events(options.max_depth),
-                       met ? &*sky_ : nullptr, input.bounces > 0 ? &factored_.bounces() : nullptr},
-                      executor, run);
-    executor.finish();
     run.statistics.shade_ms += watch.milliseconds();
 }
 

@@ -51,10 +51,11 @@ public:
               const RenderOptions& options, RenderRun& run);
     /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
     /// results. draw_hits: draws surfaces(). projection: of the world, one of the views of the last bake(),
-    /// whose scene and options are those of this call. Adds times and counts to the statistics. After an
+    /// whose scene and options are those of this call. on_threads: whether the executor may make the image of
+    /// shaded vertices, too. Adds times and counts to the statistics. After an
     /// exception, the next call computes everything that was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
-             RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
+             RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits, bool on_threads);
 
     /// Returns the surfaces that are drawn, in their own axes.
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
@@ -64,6 +65,9 @@ public:
     [[nodiscard]] std::size_t pending() const noexcept { return visibility_.pending(); }
     /// Returns whether the last run() shaded pixels.
     [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
+    /// Returns whether the executor has made the image of the last run(). Otherwise its vertices are to be
+    /// drawn.
+    [[nodiscard]] bool made_image() const noexcept { return made_image_; }
     /// Returns whether the last run() took samples of lights, of lobes or at smooth surfaces.
     [[nodiscard]] bool sampled() const noexcept { return sampled_; }
 
@@ -84,6 +88,10 @@ private:
                        const RenderOptions& options, const RenderExecutor& executor, Statistics& statistics);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
+    /// Returns the input of images without high orders, local lights, smooth surfaces and bounced light.
+    PixelInput pixel_input(const Scene& scene, const ShadeInput& input, const Projection& projection,
+                           const RenderOptions& options, const RenderExecutor& executor,
+                           const VisibilityBuffer& hits);
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                       const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                       RenderRun& run, const VisibilityBuffer& hits);
@@ -140,6 +148,7 @@ private:
     Stage<EnvironmentPtr> meeting_;
     bool projected_ahead_ = false;  // whether project_ahead() was called
     bool pixels_ = false;
+    bool made_image_ = false;
     bool sampled_ = false;
     float noise_ = 0;  // noise for make_physical()
 };

@@ -299,47 +299,6 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
     put(target, std::move(filtered).mean(), statistics, std::move(aovs));
 }
 
-void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
-    uploading_.run(surfaces.version(), surfaces.material_version(), channels, [&] {
-        context_->run([&] {
-            buffers_.update(surfaces.geometry(), surfaces.version(), channels);
-            alpha_masks_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(),
-                                buffers_);
-        });
-    });
-}
-
-void Renderer::find_hits(const Projection& projection, const RenderOptions& options,
-                         VisibilityBuffer::Kept kept, const ImageShape& image, Statistics& statistics) {
-    const RefinedSurfaces& surfaces = pipeline_.surfaces();
-    const Projection of_surfaces = in_axes(projection, surfaces.to_world());
-    const HitRequest request{.surfaces = surfaces,
-                             .projection = of_surfaces,
-                             .width = image.width,
-                             .height = image.height,
-                             .offsets = sample_pattern(options.pixel_samples),
-                             .kept = kept};
-    // An image that is one of many of a picture covers a part of each pixel.
-    const double images = 1 / (projection.sample_size * projection.sample_size);
-    if (context_->info().software && kept == VisibilityBuffer::Kept::on_host &&
-        rays_cost_less(request, images)) {
-        drawn_hits_.clear();
-        traced_hits_.find(request, hits_);
-        statistics.camera_rays += request.offsets.size() * static_cast<std::uint64_t>(request.width) *
-                                  static_cast<std::uint64_t>(request.height);
-        return;
-    }
-    traced_hits_.clear();
-    update_buffers(surfaces, image.channels);
-    drawn_hits_.find(request, hits_);
-}
-
-void Renderer::clear_hits() {
-    hits_.clear();
-    drawn_hits_.clear();
-    traced_hits_.clear();
-}
-
 void Renderer::draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
                     Framebuffer& target) {
     Progress progress(options.progress);
@@ -366,15 +325,21 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                           : VisibilityBuffer::Kept::on_device);
         return hits_;
     };
-    pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading);
+    // A software driver takes longer to interpolate than threads, which need to know the triangles alone.
+    const gl::ContextInfo& info = context_->info();
+    const bool on_threads = info.software && info.backend != gl::Backend::host;
+    pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading, on_threads);
     progress.report("draw", 0);
 
     // Steps of the context, so that other calls need not wait for all of them.
     const Stopwatch preparing;
     const RefinedSurfaces& surfaces = pipeline_.surfaces();
-    const bool at_pixels = pipeline_.shaded_pixels();
+    const bool made = pipeline_.made_image();
+    // A host reads its textures, and elements are drawn over the image.
+    StokesImage* const image_made =
+        made && !elements && info.backend != gl::Backend::host ? executor.image() : nullptr;
     update_buffers(surfaces, target.channels());
-    if (!at_pixels) {
+    if (!made) {
         if (elements)
             draw_hits(VisibilityBuffer::Kept::on_device);
         else
@@ -385,7 +350,8 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                                    .surfaces = surfaces,
                                    .buffers = buffers_,
                                    .alpha_masks = alpha_masks_,
-                                   .pixels = at_pixels ? &executor : nullptr,
+                                   .pixels = made ? &executor : nullptr,
+                                   .in_memory = image_made != nullptr,
                                    .projection = projection};
     const Painter::Wanted wanted{.components = chosen.components,
                                  .aovs = options.aovs,
@@ -404,17 +370,20 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
             });
         }
         statistics.draw_ms += watch.milliseconds();
-        statistics.transfer_bytes += hits_.bytes();
+        if (pipeline_.shaded_pixels()) statistics.transfer_bytes += hits_.bytes();
         const gl::MemoryUse memory = context_->memory();
         statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
                                   memory.of(gl::MemoryKind::storage);
         statistics.texture_bytes = texture_bytes(*context_);
-        image.rendered(statistics);
+        if (image_made != nullptr)
+            image.rendered(*image_made, statistics);
+        else
+            image.rendered(statistics);
     };
     // A host keeps the names of its framebuffers' textures, so its images are drawn where they are. Nobody
     // else reads a framebuffer of the renderer's own.
     const bool in_place =
-        context_->info().backend == gl::Backend::host || &target == colours_.get() || &target == spare_.get();
+        info.backend == gl::Backend::host || &target == colours_.get() || &target == spare_.get();
     if (in_place) {
         put(target, [&] { draw_into(target); });
     } else {

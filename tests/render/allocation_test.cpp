@@ -77,7 +77,7 @@ struct Frames {
         allocations = 0;
         counting = true;
         pipeline.bake(scene, {&projection, 1}, {}, options, run);
-        pipeline.run(scene, projection, options, executor, run, {});
+        pipeline.run(scene, projection, options, executor, run, {}, false);
         counting = false;
         return allocations;
     }

@@ -127,7 +127,7 @@ private:
             Progress progress(options.progress);
             RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
             pipeline.bake(scene, {&projection, 1}, {}, options, run);
-            pipeline.run(scene, projection, options, executor, run, {});
+            pipeline.run(scene, projection, options, executor, run, {}, false);
         }
     };
 

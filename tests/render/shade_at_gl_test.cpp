@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of shading at pixels.
+#include <glm/gtc/matrix_transform.hpp>
+#include <tuple>
+
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -145,6 +148,31 @@ IMAGE_TEST_CASE("where vertices are dense, pixels make what they make") {
         const double difference = rms(minus(pixels, vertices)) / rms(vertices);
         CHECK(difference < one.least);
         CHECK(difference > 0);
+    }
+}
+
+IMAGE_TEST_CASE("threads interpolate between vertices as the device does") {
+    Studio threads(context), device(context);
+    // A plate that is seen from behind, and triangles of many pixels.
+    Scene scene = sphere_on_plate(falling_light(9, true, 6), test::coarse_sphere(8), 2);
+    scene.add(
+        {.mesh = test::rectangle(2),
+         .material = diffuse({0.5}),
+         .to_world = test::at(-1.2, 0, 0.3, 0.4) * glm::rotate(glm::dmat4(1), 2.8, glm::dvec3(0, 1, 0))});
+    for (const auto& [samples, components, orthographic] :
+         {std::tuple{1, 4, false}, {1, 1, false}, {4, 4, false}, {1, 4, true}}) {
+        CAPTURES(samples, components, orthographic);
+        Camera camera = test::some_camera();
+        camera.orthographic = orthographic;
+        if (orthographic) camera.to_world = camera.to_world * glm::dmat4(glm::dmat3(1.7));
+        RenderOptions options = at(ShadeAt::vertices);
+        options.components = components;
+        options.pixel_samples = samples;
+        const StokesImage image = threads(scene, options, camera);
+        CHECK(threads.statistics.pixels_shaded == 0);
+        options.executor = Executor::compute;
+        CHECK(rms(minus(image, device(scene, options, camera))) <
+              gl::tolerance_of(context) * 3e-5 * rms(image));
     }
 }
 

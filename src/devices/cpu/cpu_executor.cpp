@@ -7,6 +7,7 @@
 #include <atomic>
 #include <deque>
 
+#include "devices/cpu/vertex_image.hpp"
 #include "devices/vertex_lights.hpp"
 #include "draw/pixel_image.hpp"
 #include "draw/vertex_buffers.hpp"
@@ -145,7 +146,6 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
 void CpuExecutor::resize(const ShadeInput& input) {
     stokes_.resize(static_cast<std::size_t>(input.channels));
     for (auto& channel : stokes_) channel.resize(input.geometry.positions.size());
-    pixels_.clear();
 }
 
 void CpuExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
@@ -254,7 +254,29 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
     run_pixels(input, surfaces, run);
 }
 
+template <class Run>
+void CpuExecutor::make_image(const PixelInput& input, const char* verb, RenderRun& run, const Run& make) {
+    const int width = input.hits.width(), height = input.hits.height();
+    if (image_.width != width || image_.height != height || image_.channels != input.channels)
+        image_ = StokesImage(width, height, input.channels);
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::vector<std::span<glm::vec4>> channels;
+    for (int c = 0; c < input.channels; ++c)
+        channels.emplace_back(reinterpret_cast<glm::vec4*>(image_.at(c, 0, 0).data()), pixels);
+    run.workers.for_vertices(0, pixels, pixels, verb, run.progress,
+                             [&](std::size_t begin, std::size_t end) { make(begin, end, channels); });
+}
+
+void CpuExecutor::interpolate(const PixelInput& input, RenderRun& run) {
+    shaded_pixels_ = false;
+    const VertexImage image(input, stokes_, run);
+    make_image(input, "draw", run, [&](std::size_t begin, std::size_t end, const auto& channels) {
+        image.run(begin, end, channels);
+    });
+}
+
 void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run) {
+    shaded_pixels_ = true;
     std::vector<HighOrder> high_orders;
     if (input.high_orders != nullptr) {
         compute_fractions(*input.high_orders, input, run);
@@ -267,26 +289,20 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> su
                 &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
         }
     }
-    const std::size_t pixels =
-        static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
-    pixels_.resize(static_cast<std::size_t>(input.channels));
-    for (auto& channel : pixels_) channel.resize(pixels);
-    const std::vector<std::span<glm::vec4>> channels(pixels_.begin(), pixels_.end());
     const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
     const SurfaceShading of_points(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
     const PixelShading shading(input, of_points);
     std::atomic<std::uint64_t> shaded = 0, rays = 0;
     tbb::combinable<LightingTally> tallies, followed;
     std::atomic<double> light_seconds = 0;
-    run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
-                             [&](std::size_t begin, std::size_t end) {
-                                 const PointCounts counts = shading.run(begin, end, channels);
-                                 shaded += counts.shaded;
-                                 tallies.local() += counts.lighting;
-                                 followed.local() += counts.followed;
-                                 light_seconds += counts.light_seconds;
-                                 rays += counts.ray_count;
-                             });
+    make_image(input, "shade", run, [&](std::size_t begin, std::size_t end, const auto& channels) {
+        const PointCounts counts = shading.run(begin, end, channels);
+        shaded += counts.shaded;
+        tallies.local() += counts.lighting;
+        followed.local() += counts.followed;
+        light_seconds += counts.light_seconds;
+        rays += counts.ray_count;
+    });
     run.statistics.pixels_shaded += shaded;
     run.statistics.smooth_rays += rays;
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
@@ -355,15 +371,16 @@ void CpuExecutor::store(VertexBuffers& buffers) const {
 
 void CpuExecutor::store(PixelImage& image) const {
     for (int c = 0; c < image.channels(); ++c) {
-        const std::vector<glm::vec4>& pixels = pixels_[static_cast<std::size_t>(c)];
-        image.channel(c).update(std::span(&pixels.front().x, 4 * pixels.size()));
+        const std::size_t numbers = image_.data.size() / static_cast<std::size_t>(image_.channels);
+        image.channel(c).update(
+            std::span(image_.data).subspan(static_cast<std::size_t>(c) * numbers, numbers));
     }
 }
 
 void CpuExecutor::count(Statistics& statistics) const {
     for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
     for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
-    for (const auto& channel : pixels_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    if (shaded_pixels_) statistics.transfer_bytes += image_.data.size() * sizeof(float);
     statistics.transfer_bytes +=
         light_.bytes() + light_of_pixels_.bytes() + fractions_.size() * sizeof(glm::vec2);
 }

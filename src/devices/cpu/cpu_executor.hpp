@@ -8,6 +8,7 @@
 
 #include "devices/cpu/pixel_shading.hpp"
 #include "devices/device.hpp"
+#include "image/stokes_image.hpp"
 #include "methods/executor.hpp"
 #include "transfer/vertex_light.hpp"
 
@@ -34,12 +35,15 @@ public:
     void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
+    [[nodiscard]] bool interpolates() const noexcept override { return true; }
+    void interpolate(const PixelInput& input, RenderRun& run) override;
     void scale(const ShadeInput& input) override;
     void make_physical(const ShadeInput& input) override;
     void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
     std::uint64_t finish() override { return std::exchange(moved_, 0); }
     void store(VertexBuffers& buffers) const override;
     void store(PixelImage& image) const override;
+    [[nodiscard]] StokesImage* image() override { return &image_; }
     void count(Statistics& statistics) const override;
 
     /// Returns the results of the last shade(), specular() and make_physical().
@@ -49,6 +53,9 @@ private:
     /// Allocates Stokes vectors; vertices that are not shaded keep their values.
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
+    /// Calls run(begin, end, channels) on threads for the pixels of an image, which it writes.
+    template <class Run>
+    void make_image(const PixelInput& input, const char* verb, RenderRun& run, const Run& make);
     void run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run);
 
     [[nodiscard]] VertexLight& light(bool at_pixels) { return at_pixels ? light_of_pixels_ : light_; }
@@ -57,8 +64,9 @@ private:
     VertexLight light_, light_of_pixels_;
     std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run
     VertexStokes stokes_;
-    std::uint64_t moved_ = 0;                     // vectors that make_physical() moved since finish()
-    std::vector<std::vector<glm::vec4>> pixels_;  // last image that was shaded at pixels, by channel
+    std::uint64_t moved_ = 0;     // vectors that make_physical() moved since finish()
+    StokesImage image_;           // last image that was made on threads
+    bool shaded_pixels_ = false;  // whether the image is of shaded pixels
     /// Visible fractions of the lobe about the mirror direction and of the hemisphere, by vertex; empty if
     /// nothing casts shadows.
     std::vector<glm::vec2> fractions_;

@@ -11,6 +11,24 @@
 
 namespace nicol {
 
+PixelRays pixel_rays(const PixelInput& input) {
+    const Projection& projection = input.projection;
+    const Viewpoint& view = projection.view;
+    const glm::dmat3 to_light = glm::transpose(input.light_to_geometry);
+    const auto through = [&](double x, double y) {
+        if (view.orthographic) return to_light * view.forward;
+        const glm::dvec2 at =
+            on_image_plane(projection, input.hits.width(), input.hits.height(), x + 0.5, y + 0.5);
+        return to_light * (view.forward + at.x * view.right + at.y * view.up);
+    };
+    const glm::dvec3 first = through(0, 0);
+    return {.first = first,
+            .right = through(1, 0) - first,
+            .down = through(0, 1) - first,
+            .up = to_light * view.up,
+            .width = static_cast<std::size_t>(input.hits.width())};
+}
+
 PointCounts PixelShading::run(std::size_t first, std::size_t last,
                               std::span<const std::span<glm::vec4>> out) const {
     // Backs of surfaces are black, so they keep this value.
@@ -38,29 +56,11 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
         surfaces_.add_lights(batch, stokes, counts);
     });
     if (input_.background != nullptr) {
-        input_.background->add(rays(), static_cast<float>(input_.light_scale), input_.most_components, first,
-                               last, coverage, out);
+        input_.background->add(pixel_rays(input_), static_cast<float>(input_.light_scale),
+                               input_.most_components, first, last, coverage, out);
     }
     if (chains_) chains_->add(first, last, out, counts);
     return counts;
-}
-
-PixelRays PixelShading::rays() const {
-    const Projection& projection = input_.projection;
-    const Viewpoint& view = projection.view;
-    const glm::dmat3 to_light = glm::transpose(input_.light_to_geometry);
-    const auto through = [&](double x, double y) {
-        if (view.orthographic) return to_light * view.forward;
-        const glm::dvec2 at =
-            on_image_plane(projection, input_.hits.width(), input_.hits.height(), x + 0.5, y + 0.5);
-        return to_light * (view.forward + at.x * view.right + at.y * view.up);
-    };
-    const glm::dvec3 first = through(0, 0);
-    return {.first = first,
-            .right = through(1, 0) - first,
-            .down = through(0, 1) - first,
-            .up = to_light * view.up,
-            .width = static_cast<std::size_t>(input_.hits.width())};
 }
 
 }  // namespace nicol

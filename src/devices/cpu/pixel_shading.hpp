@@ -14,6 +14,9 @@
 
 namespace nicol {
 
+/// Returns the rays through the pixels of an image, in the distant light's axes.
+[[nodiscard]] PixelRays pixel_rays(const PixelInput& input);
+
 /// Shading of the pixels of an image that show a surface. Calls for different pixels may run in parallel.
 class PixelShading {
 public:
@@ -28,8 +31,6 @@ public:
     PointCounts run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    [[nodiscard]] PixelRays rays() const;
-
     const PixelInput& input_;
     const SurfaceShading& surfaces_;
     std::optional<SmoothChains> chains_;
