@@ -806,8 +806,9 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
  * as unpolarized light: 131,072 paths, found anew when lamps or surfaces change, make caustics. Without, and
  * through rough glass, the light of lamps passes straight on, dimmed in each channel as unpolarized light is;
  * the light of the environment passes straight on and is dimmed equally in all channels, by their mean. Metal
- * of a roughness below 0.25 shows the environment as glass bends it. The dense method and shading at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body
- * must be closed, its normals pointing outwards, and bodies must not overlap. */
+ * of a roughness below 0.25 shows the environment as glass bends it. The dense method and shading at vertices
+ * return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing outwards, and
+ * bodies must not overlap. */
 typedef struct nicol_dielectric {
     uint32_t struct_size;
     /* 0, the default: the surface bounds a body, and refracts the light that it transmits. 1: the surface is

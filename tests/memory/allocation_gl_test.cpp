@@ -119,7 +119,7 @@ TEST_CASE("a render that lacks memory says so and harms nothing") {
     }
 }
 
-// What a context notes of OpenGL's state outlives a frame, so that a note that is wrong shows in others.
+// A context notes what OpenGL has. Notes outlive a frame, so that one that is wrong shows in others.
 TEST_CASE("a frame that lacks memory harms no other frame of its scene") {
     nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
     context_options.threads = 1;
