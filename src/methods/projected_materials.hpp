@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <span>
 #include <vector>
 
@@ -27,11 +28,20 @@ void project_each(std::span<const MaterialPtr> materials, std::size_t all, Rende
     for (std::size_t first = 0; first < groups.size(); first += at_a_time) {
         const std::size_t last = std::min(first + at_a_time, groups.size());
         run.progress.report("project", static_cast<double>(done) / static_cast<double>(all));
+        // An exception that leaves the loop cancels the loops within other groups, which then end early and
+        // would leave tables of a part, also in the cache.
+        std::vector<std::exception_ptr> failures(last - first);
         run.workers.run([&] {
             tbb::parallel_for(first, last, [&](std::size_t group) {
-                for (const std::size_t i : groups[group]) project(i);
+                try {
+                    for (const std::size_t i : groups[group]) project(i);
+                } catch (...) {
+                    failures[group - first] = std::current_exception();
+                }
             });
         });
+        for (const std::exception_ptr& failure : failures)
+            if (failure) std::rethrow_exception(failure);
         for (std::size_t group = first; group < last; ++group) done += groups[group].size();
     }
 }

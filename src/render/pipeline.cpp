@@ -71,10 +71,18 @@ void Pipeline::bake(const Scene& scene, std::span<const Projection> views,
         beside.run([&] {
             project_ahead(scene, sampled_terms(scene, options, false, true), options, run.statistics);
         });
-    visibility_.update(
-        surfaces_, rays_, needs_bake(scene, options),
-        {.needs = needs_of(options), .views = of_surfaces, .samples = samples, .lobes = wants_lobes(options)},
-        options, run.workers, run.progress, run.statistics);
+    try {
+        visibility_.update(surfaces_, rays_, needs_bake(scene, options),
+                           {.needs = needs_of(options),
+                            .views = of_surfaces,
+                            .samples = samples,
+                            .lobes = wants_lobes(options)},
+                           options, run.workers, run.progress, run.statistics);
+    } catch (...) {
+        // An exception would cancel the group, whose loops then end early and leave sums of a part.
+        beside.wait();
+        throw;
+    }
     beside.wait();
 }
 

@@ -52,8 +52,8 @@ public:
     /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
     /// results. draw_hits: draws surfaces(). projection: of the world, one of the views of the last bake(),
     /// whose scene and options are those of this call. on_threads: whether the executor may make the image of
-    /// shaded vertices, too. Adds times and counts to the statistics. After an
-    /// exception, the next call computes everything that was not completed.
+    /// shaded vertices, too. Adds times and counts to the statistics. After an exception, the next call
+    /// computes everything that was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits, bool on_threads);
 

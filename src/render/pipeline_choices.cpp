@@ -20,8 +20,9 @@ void Pipeline::project_ahead(const Scene& scene, SampledTerms sampled, const Ren
                              Statistics& statistics) {
     if (scene.distant_light() == nullptr) return;
     split_.update(scene.distant_light(), options, statistics);
-    // Lobes that samples reflect depend on the image if it has several samples.
-    if (options.pixel_samples > 1) return;
+    // Lobes that samples reflect depend on the image if it has several samples, and on whether rays follow
+    // glass.
+    if (options.pixel_samples > 1 || scene.transmits()) return;
     if (predicts_orders(options)) selector_.prepare(scene, {split_.rest(), sampled}, projection_);
     if (options.shade_at != ShadeAt::pixels && !scene.varies() && scene.lights().empty() &&
         split_.extracted_lights().empty())
