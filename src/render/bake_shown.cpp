@@ -19,9 +19,9 @@ namespace {
 constexpr double kNearer = 0.01;
 // Part of the pixel in which points took what others see, down to which they keep it in further views.
 constexpr double kSharedPixel = 0.75;
-// Number of views of a part, times what the part leaves out of all, after which one view bakes all the rest.
-// A view that is searched and refined again takes about as long as this part of a whole bake, so that a
-// camera that goes on moving takes at most twice as long as if all had been baked with its first step.
+// A part p of the vertices grows for 16 (1 - p) views, then one view bakes all the rest. Each of these views
+// takes about a sixteenth of a whole bake, so that a camera that goes on moving takes at most twice as long
+// as if its first step had baked all.
 constexpr std::size_t kGrownViews = 16;
 
 }  // namespace
@@ -69,6 +69,7 @@ bool SceneVisibility::is_enough(const NeededVertices& needed) const {
 
 bool SceneVisibility::grows() const {
     const std::vector<std::uint8_t>& part = needed_.empty() ? wanted_ : needed_;
+    if (part.empty()) return false;  // nothing is left out but edges finer than pixels
     const auto left = static_cast<std::size_t>(std::ranges::count(part, 0));
     return views_since_ * part.size() <= kGrownViews * left;
 }
@@ -81,9 +82,10 @@ void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, con
     // Vertices and points that took what others in a wider pixel see are traced by rays of their own.
     const bool retraced = edge < kSharedPixel * traced_edge_;
     std::vector<std::uint8_t> missing(needed_.size(), 0);
-    for (std::size_t v = 0; v < missing.size(); ++v)
-        if (needed.flags.empty() || needed.flags[v] != 0)
-            missing[v] = needed_[v] == 0 || (retraced && needed_[v] != kTraced) ? 1 : 0;
+    for (std::size_t v = 0; v < missing.size(); ++v) {
+        const bool shown = needed.flags.empty() || needed.flags[v] != 0;
+        missing[v] = needed_[v] == 0 ? shown : retraced && needed_[v] != kTraced;
+    }
     BakeStatistics baked;
     if (any(missing)) {
         const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
