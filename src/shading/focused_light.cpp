@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/ext/vector_int3_sized.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -95,19 +97,25 @@ private:
     std::vector<std::uint8_t> axes_;  // axis that the photon at each place splits
 };
 
-std::uint64_t cell_key(const glm::ivec3& cell, int level) {
+using Cell = glm::i64vec3;
+
+std::uint64_t cell_key(const Cell& cell, int level) {
     std::uint64_t hash = 0;
-    for (const int number : {level, cell.x, cell.y, cell.z}) {
-        hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9e3779b97f4a7c15U;
+    for (const std::int64_t number : {std::int64_t{level}, cell.x, cell.y, cell.z}) {
+        hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
         hash ^= hash >> 32U;
     }
     return hash;
 }
 
-glm::ivec3 cell_of(const glm::vec3& position, int level) {
-    const float size = std::ldexp(1.0F, -level);
-    return {static_cast<int>(std::floor(position.x * size)), static_cast<int>(std::floor(position.y * size)),
-            static_cast<int>(std::floor(position.z * size))};
+// Returns the cell of a point. Cells of points that lie too far from any photon of the level are others'.
+Cell cell_of(const glm::vec3& position, int level) {
+    constexpr float most = 0x1p62F;
+    const glm::vec3 place = glm::floor(position * std::ldexp(1.0F, -level));
+    const auto number = [&](float of) {
+        return static_cast<std::int64_t>(std::max(-most, std::min(of, most)));
+    };
+    return {number(place.x), number(place.y), number(place.z)};
 }
 
 }  // namespace
@@ -136,11 +144,12 @@ void FocusedLight::fill_cells() {
         // The sphere around the photon lies in eight cells of at least twice its radius.
         const int level = std::ilogb(radii_[i]) + 2;
         if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
-        const glm::ivec3 low = cell_of(photons_[i].position - radii_[i], level);
-        const glm::ivec3 high = cell_of(photons_[i].position + radii_[i], level);
-        for (int x = low.x; x <= high.x; ++x)
-            for (int y = low.y; y <= high.y; ++y)
-                for (int z = low.z; z <= high.z; ++z) entries.emplace_back(cell_key({x, y, z}, level), i);
+        const Cell low = cell_of(photons_[i].position - radii_[i], level);
+        const Cell high = cell_of(photons_[i].position + radii_[i], level);
+        for (std::int64_t x = low.x; x <= high.x; ++x)
+            for (std::int64_t y = low.y; y <= high.y; ++y)
+                for (std::int64_t z = low.z; z <= high.z; ++z)
+                    entries.emplace_back(cell_key({x, y, z}, level), i);
     }
     std::ranges::sort(entries);
     in_cells_.reserve(entries.size());

@@ -249,6 +249,14 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
               {.by_cosine = factor, .by_square = 0}, out);
 }
 
+void ReflectedLight::add_others(const Material& material, const LayerWeights* weights, const LaneLight& light,
+                                std::uint32_t points, std::span<std::array<Lanes, 4>> out,
+                                SampledTerms sampled) const {
+    const auto has = [&](int term) { return !material.smooth(term) && !is_sampled(material, term, sampled); };
+    add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
+              {.by_cosine = 1, .by_square = 0}, out);
+}
+
 std::span<const Lobe> ReflectedLight::sampled_lobes(const Material& material, SampledTerms sampled) {
     thread_local std::vector<Lobe> lobes;
     lobes.clear();

@@ -51,6 +51,9 @@ public:
     void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
              SampledTerms find_it = SampledTerms::none) const;
+    /// Adds what add() adds with the factor 1, but by the terms that `sampled` does not name.
+    void add_others(const Material& material, const LayerWeights* weights, const LaneLight& light,
+                    std::uint32_t points, std::span<std::array<Lanes, 4>> out, SampledTerms sampled) const;
 
     /// Returns unit directions towards the viewer, in the surfaces' frames.
     [[nodiscard]] const LaneVectors& towards_viewer() const { return towards_viewer_; }

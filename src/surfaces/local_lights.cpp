@@ -98,7 +98,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                 lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
                                            static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
             lights.before_mirrors = before_mirrors;
-            if (smooth != nullptr) focus(scene, surfaces, followed, lights);
+            if (smooth != nullptr) focus(scene, distant, surfaces, followed, lights);
             lighting.emplace(std::move(lights), rays_->get(), options.light_samples, negligible);
         });
     statistics.local_lights = lights_;
@@ -106,11 +106,17 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
     if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
 }
 
-void LocalLights::focus(const Scene& scene, const RefinedSurfaces& surfaces, const Followed& followed,
-                        LocalLighting::Lights& lights) {
+void LocalLights::focus(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
+                        const Followed& followed, LocalLighting::Lights& lights) {
     const SmoothSurfaces& smooth = *followed.smooth;
     lights.glass = lights.glass_of_environment = smooth.glass();
-    if (followed.events == 0 || !smooth.any()) return;
+    if (followed.events == 0 || !smooth.any()) {
+        focused_.reset();
+        focused_extracted_.reset();
+        focusing_.reset();
+        focusing_extracted_.reset();
+        return;
+    }
     lights.glass = smooth.unbent_glass();
     const PhotonScene photons{.geometry = surfaces.geometry(),
                               .smooth = smooth,
@@ -119,8 +125,11 @@ void LocalLights::focus(const Scene& scene, const RefinedSurfaces& surfaces, con
     focusing_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                   surfaces.to_world(), smooth.version(), followed.events,
                   [&] { focused_ = focused_light(photons, lights.local); });
+    focusing_extracted_.run(distant.extracted_lights, distant.rotation, scene.light_scale(), smooth.version(),
+                            followed.events,
+                            [&] { focused_extracted_ = focused_light(photons, lights.extracted); });
     lights.focused = focused_;
-    lights.focused_extracted = focused_light(photons, lights.extracted);
+    lights.focused_extracted = focused_extracted_;
 }
 
 void LocalLights::find_vertex_origins(const RefinedSurfaces& surfaces) {

@@ -68,8 +68,8 @@ private:
     [[nodiscard]] LocalLighting::Lights make_lights(const Scene& scene, const DistantLight& distant,
                                                     const glm::dmat4& to_world);
     // Finds the light that smooth surfaces send to others.
-    void focus(const Scene& scene, const RefinedSurfaces& surfaces, const Followed& followed,
-               LocalLighting::Lights& lights);
+    void focus(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
+               const Followed& followed, LocalLighting::Lights& lights);
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
@@ -89,7 +89,10 @@ private:
     Versioned<std::shared_ptr<const NodeGrids>> grids_;
     // Inputs: lights, emission, placements of instances, the axes, smooth surfaces, events.
     Stage<Version, Version, Version, glm::dmat4, Version, int> focusing_;
-    std::shared_ptr<const FocusedLight> focused_;  // light of `local`
+    // Inputs: extracted lights, their axes and scale, smooth surfaces, events.
+    Stage<std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double, Version, int>
+        focusing_extracted_;
+    std::shared_ptr<const FocusedLight> focused_, focused_extracted_;  // light of `local`, of `extracted`
     // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
     // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors,
     // smooth surfaces, events; share of light that is negligible.

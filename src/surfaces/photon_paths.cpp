@@ -22,10 +22,15 @@
 namespace nicol {
 namespace {
 
-// Number of paths of all sources together, and of those by which each pair of a source and a material gets
-// its part of them.
+// Number of paths of all sources together.
 constexpr std::size_t kPaths = std::size_t{1} << 17;
-constexpr std::size_t kPilotPaths = 64;
+// Part of it that all pairs of a source and a smooth surface trace first, to share the paths out by the light
+// that arrives; and the smallest and the largest number for a pair.
+constexpr std::size_t kPilotPart = 8;
+constexpr std::size_t kLeastPilots = kLanes;
+constexpr std::size_t kMostPilots = 1024;
+// Fewer photons in all have no density.
+constexpr std::size_t kLeastPhotons = 48;
 
 /// Triangles of one smooth material.
 struct SmoothRange {
@@ -114,15 +119,17 @@ public:
         for (const SmoothRange& smooth : smooth_)
             for (const LightSourcePtr& source : sources_)
                 pairs.push_back({smooth, *source, static_cast<std::uint32_t>(pairs.size())});
+        const std::size_t pilots =
+            std::clamp(kPaths / kPilotPart / pairs.size() / kLanes * kLanes, kLeastPilots, kMostPilots);
         tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
             Pair& pair = pairs[i];
-            for_starts(pair.smooth, pair.source, pair.index, 0, kPilotPaths, kPilotPaths,
+            for_starts(pair.smooth, pair.source, pair.index, 0, pilots, pilots,
                        [&](const Meeting&, const Path& path) {
                            for (const double power : path.powers) pair.power += power;
                        });
         });
         for (const Pair& pair : pairs) all += pair.power;
-        if (!(all > 0)) return nullptr;
+        if (!(all > 0) || !std::isfinite(all)) return nullptr;
         std::vector<Photon> photons;
         std::vector<float> powers;
         for (const Pair& pair : pairs) {
@@ -146,7 +153,7 @@ public:
                 powers.insert(powers.end(), part.powers.begin(), part.powers.end());
             }
         }
-        if (photons.empty()) return nullptr;
+        if (photons.size() < kLeastPhotons) return nullptr;
         return std::make_shared<const FocusedLight>(std::move(photons), std::move(powers), scene_.channels);
     }
 

@@ -22,9 +22,9 @@ struct PhotonScene {
 };
 
 /// Follows light from sources over smooth glass and mirrors, those that cast shadows, until it meets another
-/// surface. Light that passes glass straight alone is left out, because shadow rays let it pass. Returns
-/// null if no light arrives. Runs on the calling thread's TBB arena; the result does not depend on the number
-/// of threads.
+/// surface that the camera sees. Light that passes glass straight alone is left out, because shadow rays let
+/// it pass. Returns null if next to no light arrives. Runs on the calling thread's TBB arena; the result does
+/// not depend on the number of threads.
 [[nodiscard]] std::shared_ptr<const FocusedLight> focused_light(const PhotonScene& scene,
                                                                 std::span<const LightSourcePtr> sources);
 
