@@ -803,7 +803,8 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
  * light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
  * the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
  * method with a max_depth above 2, smooth glass and smooth metal bend the light of lamps to other surfaces,
- * as unpolarized light: 131,072 paths, found anew when lamps or surfaces change, make caustics. Without, and
+ * as unpolarized light: 131,072 paths, found anew when lamps, bright parts of the environment or surfaces
+ * change or turn, make caustics. Without, and
  * through rough glass, the light of lamps passes straight on, dimmed in each channel as unpolarized light is;
  * the light of the environment passes straight on and is dimmed equally in all channels, by their mean. Metal
  * of a roughness below 0.25 shows the environment as glass bends it. The dense method and shading at vertices
@@ -1514,8 +1515,9 @@ typedef uint32_t nicol_executor;
  * large flat faces certainly block; those of fine meshes in directions in which the vertices around see the
  * same (images differ by about 0.0005); those of vertices that no image has shown, that are black or unlit;
  * and, after a move, light of vertices that see almost the same. A first image refines shadows on triangles
- * that face it alone, down to two of its pixels. Later images, of other views or changed scenes, refine all.
- * They differ from a first image of theirs by about 0.01 of the RMS of s0; without this they are equal. */
+ * that face it alone, down to two of its pixels. Further views add what they show newly; after some of them,
+ * and after a change of the scene, all is refined. Such images differ from a first image of theirs by about
+ * 0.01 of the RMS of s0; without this they are equal. */
 #define NICOL_OPTIMISATION_RAYS 128u
 /* Shadow rays to local lights that are so dim that all of them together add less than a hundredth of the
  * tolerance to a point's light; such lights are added without shadows. Images differ by less than that. */
@@ -1845,7 +1847,8 @@ typedef struct nicol_statistics {
                                        reference method, its hierarchy of triangles and table of light */
     double relight_ms;              /* time of bringing light, times shadows, into the vertices' frames */
     double shade_ms;                /* time of multiplying light by the response at the view, high orders included */
-    double draw_ms;                 /* time of rasterisation, or of copying the image into the framebuffer */
+    double draw_ms;                 /* time of rasterisation, of interpolation between shaded vertices, or of copying the
+                                       image into the framebuffer */
     double observe_ms;              /* time of reading and writing images since the last render */
     double bake_trace_ms;           /* part of bake_ms that traced rays; 0 if the bake came from the cache */
     uint64_t bake_rays;             /* rays that the bake traced; 0 if the bake came from the cache */

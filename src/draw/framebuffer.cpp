@@ -231,10 +231,10 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
                     "Framebuffer::show: the image must have the framebuffer's size and channels");
     }
     rendered(image, statistics);
-    // A host may read its textures at any time.
-    if (context_->info().backend == gl::Backend::host) upload();
     drew_aovs(aovs.mask(), 0, nullptr);
     aovs_ = std::move(aovs);
+    // A host may read its textures at any time.
+    if (context_->info().backend == gl::Backend::host) upload();
 }
 
 void Framebuffer::exchange(Framebuffer& other) {

@@ -872,7 +872,8 @@ class Dielectric(Struct):
     light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
     the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
     method with a max_depth above 2, smooth glass and smooth metal bend the light of lamps to other surfaces,
-    as unpolarized light: 131,072 paths, found anew when lamps or surfaces change, make caustics. Without, and
+    as unpolarized light: 131,072 paths, found anew when lamps, bright parts of the environment or surfaces
+    change or turn, make caustics. Without, and
     through rough glass, the light of lamps passes straight on, dimmed in each channel as unpolarized light is;
     the light of the environment passes straight on and is dimmed equally in all channels, by their mean. Metal
     of a roughness below 0.25 shows the environment as glass bends it. The dense method and shading at vertices
@@ -1523,7 +1524,8 @@ class Statistics(Struct):
                                                reference method, its hierarchy of triangles and table of light
     relight_ms: time of bringing light, times shadows, into the vertices' frames
     shade_ms: time of multiplying light by the response at the view, high orders included
-    draw_ms: time of rasterisation, or of copying the image into the framebuffer
+    draw_ms: time of rasterisation, of interpolation between shaded vertices, or of copying the
+                                               image into the framebuffer
     observe_ms: time of reading and writing images since the last render
     bake_trace_ms: part of bake_ms that traced rays; 0 if the bake came from the cache
     bake_rays: rays that the bake traced; 0 if the bake came from the cache
