@@ -1862,7 +1862,7 @@ typedef struct nicol_statistics {
     uint64_t response_bytes;        /* bytes of material tables */
     uint64_t visibility_bytes;      /* bytes of visibility by direction at each vertex */
     uint64_t transfer_bytes;        /* bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
-                                       and the visible surfaces and the shading of shaded pixels */
+                                       the surfaces that pixels show, and the image, unless OpenGL draws it */
     uint64_t buffer_bytes;          /* bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders */
     uint64_t texture_bytes;         /* bytes of OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* rays from the camera: of the reference method, or those that found the triangles

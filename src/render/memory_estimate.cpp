@@ -169,9 +169,8 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
             : VisibilityBuffer::bytes_per_pixel(samples, VisibilityBuffer::Kept::on_device);
     const std::uint64_t of_sample =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
-    // The executor's image is exchanged with that of the spare framebuffer.
     const std::uint64_t at_pixels = VisibilityBuffer::bytes_per_pixel(samples, hits_of(scene, options)) +
-                                    PixelImage::kBytesPerPixel + 2 * planes * texel;
+                                    PixelImage::kBytesPerPixel + planes * texel;
     // Threads interpolate between vertices where the device would take longer.
     const std::uint64_t at_vertices = options.executor == Executor::compute
                                           ? of_sample + of_elements

@@ -327,8 +327,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     };
     // A software driver takes longer to interpolate than threads, which need to know the triangles alone.
     const gl::ContextInfo& info = context_->info();
-    const bool on_threads = info.software && info.backend != gl::Backend::host;
-    pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading, on_threads);
+    pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading, info.software);
     progress.report("draw", 0);
 
     // Steps of the context, so that other calls need not wait for all of them.
@@ -370,7 +369,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
             });
         }
         statistics.draw_ms += watch.milliseconds();
-        if (pipeline_.shaded_pixels()) statistics.transfer_bytes += hits_.bytes();
+        if (pipeline_.made_image()) statistics.transfer_bytes += hits_.bytes();
         const gl::MemoryUse memory = context_->memory();
         statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
                                   memory.of(gl::MemoryKind::storage);

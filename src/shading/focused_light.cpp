@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kNeighbours = 48;
 
 // Smallest cosine between the mean direction of the light and the normal: irradiance is divided by it.
-constexpr float kLeastCosine = 0.05F;
+constexpr float kGrazing = 0.05F;
 
 /// Balanced tree of photons by position.
 class PhotonTree {
@@ -202,7 +202,7 @@ void FocusedLight::gather(std::span<const glm::vec3> positions, std::span<const 
         towards /= length;
         out.points |= 1U << i;
         put(out.towards, i, towards);
-        const float cosine = std::max(kLeastCosine, glm::dot(towards, normals[i]));
+        const float cosine = std::max(kGrazing, glm::dot(towards, normals[i]));
         for (std::size_t c = 0; c < channels_; ++c) out.irradiance[c][0][i] = sums[c] / cosine;
     }
 }

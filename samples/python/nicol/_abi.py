@@ -1539,7 +1539,7 @@ class Statistics(Struct):
     response_bytes: bytes of material tables
     visibility_bytes: bytes of visibility by direction at each vertex
     transfer_bytes: bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
-                                               and the visible surfaces and the shading of shaded pixels
+                                               the surfaces that pixels show, and the image, unless OpenGL draws it
     buffer_bytes: bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders
     texture_bytes: bytes of OpenGL textures, framebuffer included
     camera_rays: rays from the camera: of the reference method, or those that found the triangles

@@ -261,6 +261,7 @@ void CpuExecutor::make_image(const PixelInput& input, const char* verb, RenderRu
         image_ = StokesImage(width, height, input.channels);
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     std::vector<std::span<glm::vec4>> channels;
+    channels.reserve(static_cast<std::size_t>(input.channels));
     for (int c = 0; c < input.channels; ++c)
         channels.emplace_back(reinterpret_cast<glm::vec4*>(image_.at(c, 0, 0).data()), pixels);
     run.workers.for_vertices(0, pixels, pixels, verb, run.progress,
@@ -268,7 +269,6 @@ void CpuExecutor::make_image(const PixelInput& input, const char* verb, RenderRu
 }
 
 void CpuExecutor::interpolate(const PixelInput& input, RenderRun& run) {
-    shaded_pixels_ = false;
     const VertexImage image(input, stokes_, run);
     make_image(input, "draw", run, [&](std::size_t begin, std::size_t end, const auto& channels) {
         image.run(begin, end, channels);
@@ -276,7 +276,6 @@ void CpuExecutor::interpolate(const PixelInput& input, RenderRun& run) {
 }
 
 void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run) {
-    shaded_pixels_ = true;
     std::vector<HighOrder> high_orders;
     if (input.high_orders != nullptr) {
         compute_fractions(*input.high_orders, input, run);
@@ -380,9 +379,8 @@ void CpuExecutor::store(PixelImage& image) const {
 void CpuExecutor::count(Statistics& statistics) const {
     for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
     for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
-    if (shaded_pixels_) statistics.transfer_bytes += image_.data.size() * sizeof(float);
-    statistics.transfer_bytes +=
-        light_.bytes() + light_of_pixels_.bytes() + fractions_.size() * sizeof(glm::vec2);
+    statistics.transfer_bytes += image_.data.size() * sizeof(float) + light_.bytes() +
+                                 light_of_pixels_.bytes() + fractions_.size() * sizeof(glm::vec2);
 }
 
 }  // namespace nicol

@@ -64,9 +64,8 @@ private:
     VertexLight light_, light_of_pixels_;
     std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run
     VertexStokes stokes_;
-    std::uint64_t moved_ = 0;     // vectors that make_physical() moved since finish()
-    StokesImage image_;           // last image that was made on threads
-    bool shaded_pixels_ = false;  // whether the image is of shaded pixels
+    std::uint64_t moved_ = 0;  // vectors that make_physical() moved since finish()
+    StokesImage image_;        // last image that was made on threads
     /// Visible fractions of the lobe about the mirror direction and of the hemisphere, by vertex; empty if
     /// nothing casts shadows.
     std::vector<glm::vec2> fractions_;
