@@ -314,18 +314,6 @@ TEST_CASE("instances come and go, and a cancelled render leaves nothing half don
     }
 }
 
-TEST_CASE("a first render that is cancelled leaves nothing half projected") {
-    const auto context = gl::make_context(gl::Backend::osmesa);
-    const Scene scene = balls_on_plate();
-    Studio studio(context, Method::factored);
-    studio.options.choose_orders = true;
-    studio.options.pixel_samples = 1;
-    studio.options.progress = [](const char*, double) { return false; };
-    CHECK_THROWS_AS(studio(scene), Error);
-    studio.options.progress = nullptr;
-    studio.as_fresh(scene);
-}
-
 TEST_CASE("options that change and change back leave no trace") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     const Scene scene = balls_on_plate();
