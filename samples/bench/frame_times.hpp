@@ -37,6 +37,8 @@ public:
     void set_material(nicol_material material) { stage_.set_material(material); }
     [[nodiscard]] const Recipe& recipe() const { return recipe_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }
+    /// Moves the camera until its frames bake nothing that former ones did not show.
+    void show_all();
     /// Renders three frames: after a move of the camera, after a rotation of the light, and after no change.
     void run_round();
     [[nodiscard]] FrameTimes medians() const;

@@ -250,8 +250,10 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
     const bool part_is_fine = same && (!needed_.empty() || shortest_edge_ > 0);
+    bool searched = false;  // whether this is another view
     if (needs != ImageNeeds::all && !carry && !(is_part && follows) && (!same || part_is_fine)) {
-        if (!found_for(images)) {
+        searched = !found_for(images);
+        if (searched) {
             seeing_.reset();
             if (part_is_fine) ++views_since_;
         }
@@ -267,8 +269,9 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     }
     bool rest = false;
     if (part_is_fine) {
-        if (is_enough(needed)) return false;
-        if (!needed.seen.empty() && (is_part || needed_.empty()) && grows()) {
+        const bool may_grow = grows();
+        if (is_enough(needed) && (may_grow || !searched)) return false;
+        if (!needed.seen.empty() && (is_part || needed_.empty()) && may_grow) {
             grow(surfaces, rays, needed, options, workers, progress, statistics);
             return grew_ = true;
         }
