@@ -240,8 +240,7 @@ void read_header_by_stb(const path& file, std::string_view bytes, const LoadBudg
     check_size(file, bytes.size(), out.width, out.height);
 }
 
-void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, BitmapValues values,
-                 Bitmap& out) {
+void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, Bitmap& out) {
     read_header_by_stb(file, bytes, budget, out);
     take_values(out, budget);
     const StbMemory memory(largest_block(bytes.size(), out.width, out.height));
@@ -255,10 +254,7 @@ void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& bud
         set_values(decode<stbi_us>(file, bytes, budget, out, stbi_load_16_from_callbacks), 65535, out);
     } else {
         const std::span codes = decode<stbi_uc>(file, bytes, budget, out, stbi_load_from_callbacks);
-        if (values == BitmapValues::codes)
-            out.codes.assign(codes.begin(), codes.end());
-        else
-            set_values(codes, 255, out);
+        out.codes.assign(codes.begin(), codes.end());
     }
 }
 
@@ -275,18 +271,23 @@ Bitmap read_bitmap(const path& file, std::string_view bytes, const LoadBudget& b
         read_jpeg_header(file, bytes, out);
         check_size(file, bytes.size(), out.width, out.height);
         take_values(out, budget);
-        read_jpeg_pixels(file, bytes, values, out);
+        read_jpeg_pixels(file, bytes, out);
         budget.check();
-        return out;
+    } else {
+        if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
+            unsupported_file(file,
+                             "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
+        try {
+            read_by_stb(file, bytes, budget, out);
+        } catch (const Overrun&) {
+            invalid_file(file, "is truncated");
+        } catch (const MoreThanPixels&) {
+            invalid_file(file, "is damaged: its compressed data are more than its pixels");
+        }
     }
-    if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
-        unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
-    try {
-        read_by_stb(file, bytes, budget, values, out);
-    } catch (const Overrun&) {
-        invalid_file(file, "is truncated");
-    } catch (const MoreThanPixels&) {
-        invalid_file(file, "is damaged: its compressed data are more than its pixels");
+    if (values == BitmapValues::floats && !out.codes.empty()) {
+        set_values(std::span<const std::uint8_t>(out.codes), 255, out);
+        out.codes = {};
     }
     return out;
 }

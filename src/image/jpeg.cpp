@@ -65,8 +65,7 @@ void read_jpeg_header(const std::filesystem::path& file, std::string_view bytes,
     out.channels = colours == TJCS_GRAY ? 1 : 3;
 }
 
-void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes, BitmapValues values,
-                      Bitmap& out) {
+void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes, Bitmap& out) {
     const std::uint64_t scans = count_scans(bytes);
     if (scans * static_cast<std::uint64_t>(out.width) * static_cast<std::uint64_t>(out.height) >
         kMaxScannedPixels)
@@ -74,20 +73,13 @@ void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes,
                                    std::to_string(out.height) + " pixels; their product may be " +
                                    std::to_string(kMaxScannedPixels));
     const Decoder decoder = make_decoder();
-    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(out.width) *
-                                     static_cast<std::size_t>(out.height) *
-                                     static_cast<std::size_t>(out.channels));
+    out.codes.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) *
+                     static_cast<std::size_t>(out.channels));
     const int format = out.channels == 1 ? TJPF_GRAY : TJPF_RGB;
     constexpr int flags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
-    if (tjDecompress2(decoder.get(), data_of(bytes), static_cast<unsigned long>(bytes.size()), pixels.data(),
-                      out.width, 0, out.height, format, flags) != 0)
+    if (tjDecompress2(decoder.get(), data_of(bytes), static_cast<unsigned long>(bytes.size()),
+                      out.codes.data(), out.width, 0, out.height, format, flags) != 0)
         fail(file, decoder);
-    if (values == BitmapValues::codes) {
-        out.codes = std::move(pixels);
-        return;
-    }
-    out.values.reserve(pixels.size());
-    for (const std::uint8_t value : pixels) out.values.push_back(static_cast<float>(value) / 255);
 }
 
 }  // namespace nicol

@@ -12,6 +12,7 @@
 
 #include "files/load_budget.hpp"
 #include "image/bitmap.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 
@@ -46,12 +47,16 @@ public:
         return {grey, grey, grey, step == 2 ? number(1) : 1.0F};
     }
 
+    /// Returns all pixels with channels() values each.
+    [[nodiscard]] TextureImage image() const;
+
 private:
     Bitmap bitmap_;
     std::array<float, 256> colors_{};  // values of the codes of colours
 };
 
-/// Reads the pixels of load_texture_image().
+/// Reads the pixels of load_texture_image(); of bytes, not of EXR. Their `file` is their name and is not
+/// opened.
 [[nodiscard]] ImagePixels load_image_pixels(const std::filesystem::path& file, bool raw,
                                             const LoadBudget& budget = {});
 [[nodiscard]] ImagePixels load_image_pixels(const std::filesystem::path& file, std::string_view bytes,

@@ -142,10 +142,6 @@ void decode_srgb(TextureImage& image);
 /// Error(file_not_found), Error(invalid_file) or Error(unsupported).
 [[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw,
                                               const LoadBudget& budget = {});
-/// Decodes the bytes of an image file; EXR is not supported. `file` is the name of the bytes and is not
-/// opened.
-[[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes,
-                                              bool raw, const LoadBudget& budget = {});
 
 /// Returns Mitsuba's checkerboard of colours: color0 if floor(2u) + floor(2v) is even, else color1, for the
 /// fractional parts of u and v after to_uv. Both colours have 1 or 3 channels.

@@ -27,14 +27,6 @@ const std::array<float, kCodes>& decoded_codes() {
 }
 
 /// Returns grey with coverage as red, green, blue and coverage.
-std::vector<float> four_channels(const std::vector<float>& two) {
-    std::vector<float> out;
-    out.reserve(2 * two.size());
-    for (std::size_t i = 0; i < two.size(); i += 2)
-        out.insert(out.end(), {two[i], two[i], two[i], two[i + 1]});
-    return out;
-}
-
 // Decodes all values from sRGB but every `step`th; 0: all.
 void decode_all_but(std::size_t step, std::vector<float>& values) {
     const std::array<float, kCodes>& table = decoded_codes();
@@ -45,20 +37,6 @@ void decode_all_but(std::size_t step, std::vector<float>& values) {
         const bool whole = code >= 0 && code < kCodes && code / (kCodes - 1) == value;
         value = whole ? table[static_cast<std::size_t>(code)] : srgb_to_linear(value);
     }
-}
-
-TextureImage image_of(Bitmap bitmap, bool raw) {
-    TextureImage image{
-        .width = bitmap.width,
-        .height = bitmap.height,
-        .channels = bitmap.channels == 2 ? 4 : bitmap.channels,
-        .values = bitmap.channels == 2 ? four_channels(bitmap.values) : std::move(bitmap.values)};
-    if (!raw && !bitmap.linear) decode_srgb(image);
-    return image;
-}
-
-bool is_exr(const std::filesystem::path& file) {
-    return suffix_of(file) == ".exr";
 }
 
 }  // namespace
@@ -75,8 +53,19 @@ ImagePixels::ImagePixels(Bitmap bitmap, bool raw) : bitmap_(std::move(bitmap)) {
         colors_[n] = encoded ? decoded_codes()[257 * n] : static_cast<float>(n) / 255;
 }
 
+TextureImage ImagePixels::image() const {
+    TextureImage out{.width = width(), .height = height(), .channels = channels(), .values = {}};
+    out.values.reserve(count() * static_cast<std::size_t>(channels()));
+    for (std::size_t i = 0; i < count(); ++i) {
+        const glm::vec4 pixel = at(i);
+        for (glm::length_t c = 0; c < channels(); ++c) out.values.push_back(pixel[c]);
+    }
+    return out;
+}
+
 ImagePixels load_image_pixels(const std::filesystem::path& file, bool raw, const LoadBudget& budget) {
-    return {is_exr(file) ? read_exr_colors(file, budget) : read_bitmap(file, budget, BitmapValues::codes),
+    return {suffix_of(file) == ".exr" ? read_exr_colors(file, budget)
+                                      : read_bitmap(file, budget, BitmapValues::codes),
             raw};
 }
 
@@ -86,12 +75,7 @@ ImagePixels load_image_pixels(const std::filesystem::path& file, std::string_vie
 }
 
 TextureImage load_texture_image(const std::filesystem::path& file, bool raw, const LoadBudget& budget) {
-    return image_of(is_exr(file) ? read_exr_colors(file, budget) : read_bitmap(file, budget), raw);
-}
-
-TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes, bool raw,
-                                const LoadBudget& budget) {
-    return image_of(read_bitmap(file, bytes, budget), raw);
+    return load_image_pixels(file, raw, budget).image();
 }
 
 }  // namespace nicol
