@@ -26,33 +26,34 @@ constexpr std::size_t kGrownViews = 16;
 
 }  // namespace
 
-Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
-                                      const BakeProgress& report, BakeStatistics& baked) const {
-    std::vector<std::uint8_t> rest, room;
-    for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
-    geometry.needed = traced_of(surfaces.geometry(), rest, room);
+Visibility SceneVisibility::with_more(BakeGeometry geometry, const SceneGeometry& surfaces,
+                                      std::span<const std::uint8_t> more, const BakeProgress& report,
+                                      BakeStatistics& baked) const {
+    std::vector<std::uint8_t> room;
+    geometry.needed = traced_of(surfaces.geometry(), more, room);
     geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
     Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-        if (rest[v] == 0) visibility.take(v, **baked_, v);
-    }
+    for (std::size_t v = 0; v < more.size(); ++v)
+        if (more[v] == 0) visibility.take(v, **baked_, v);
     return visibility;
+}
+
+Visibility SceneVisibility::bake_rest(const BakeGeometry& geometry, const SceneGeometry& surfaces,
+                                      const BakeProgress& report, BakeStatistics& baked) const {
+    std::vector<std::uint8_t> rest;
+    rest.reserve(needed_.size());
+    for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
+    return with_more(geometry, surfaces, rest, report, baked);
 }
 
 void SceneVisibility::bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel,
                                    const RenderOptions& options, const BakeProgress& report,
                                    std::vector<std::uint8_t>& missing, BakeStatistics& baked) {
-    std::vector<std::uint8_t> room;
-    BakeGeometry geometry =
-        geometry_of(surfaces, rays, traced_of(surfaces.geometry(), missing, room), options);
-    geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
+    BakeGeometry geometry = geometry_of(surfaces, rays, {}, options);
     std::vector<std::uint32_t> like;
     if (pixel > 0 && !geometry.every_ray)
         geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing, pixel);
-    const Visibility more = nicol::bake(geometry, *directions_, report, &baked);
-    auto all = std::make_shared<Visibility>(**baked_);
-    for (std::size_t v = 0; v < missing.size(); ++v)
-        if (missing[v] != 0) all->take(v, more, v);
+    auto all = std::make_shared<const Visibility>(with_more(geometry, surfaces, missing, report, baked));
     const bool has_points = points_bake_ == baked_.version();
     baked_.change() = std::move(all);
     if (has_points) points_bake_ = baked_.version();
@@ -107,6 +108,12 @@ void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, con
     count_bake(baked, watch, statistics);
 }
 
+void SceneVisibility::keep_vertices(std::size_t vertices) {
+    former_.resize(vertices);
+    std::iota(former_.begin(), former_.end(), 0U);
+    same_places_.assign(vertices, 1);
+}
+
 bool SceneVisibility::left_out_unsampled() const {
     return !progressive_ && uses_bake_ && versions_.visibility != 0 && seen_.sampled &&
            std::ranges::find(needed_, 0) != needed_.end();
@@ -149,13 +156,11 @@ void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& ray
     });
     possible_blockers_.reset();
     before_ = versions_;
-    former_.resize(shown.size());
-    std::iota(former_.begin(), former_.end(), 0U);
+    keep_vertices(shown.size());
     for (const std::uint32_t v : changed) {
         baked_vertices_[v] = kTraced;
         former_[v] = kNoVertex;
     }
-    same_places_.assign(shown.size(), 1);
     same_normals_.clear();
     versions_.visibility = visible_.version();
     shown_.show(*visible_);

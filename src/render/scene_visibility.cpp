@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "render/bake_inputs.hpp"
@@ -66,9 +65,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
         return shown_.show(*visible_);
     before_ = former;
     if (same_geometry) {
-        former_.resize(vertices);
-        std::iota(former_.begin(), former_.end(), 0U);
-        same_places_.assign(vertices, 1);
+        keep_vertices(vertices);
     } else {
         former_ = surfaces_.change().former;
         same_places_ = surfaces_.change().same_places;
@@ -249,13 +246,13 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const bool carry = !change.kept.empty() && needed_.empty() && follows;
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
-    const bool part_is_fine = same && (!needed_.empty() || shortest_edge_ > 0);
+    const bool part_is_current = same && (!needed_.empty() || shortest_edge_ > 0);
     bool searched = false;  // whether this is another view
-    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && (!same || part_is_fine)) {
+    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && (!same || part_is_current)) {
         searched = !found_for(images);
         if (searched) {
             seeing_.reset();
-            if (part_is_fine) ++views_since_;
+            if (part_is_current) ++views_since_;
         }
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
             workers.run(
@@ -268,7 +265,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             needed = {.flags = {}, .seen = {}, .pixel = seen_.pixel};
     }
     bool rest = false;
-    if (part_is_fine) {
+    if (part_is_current) {
         const bool may_grow = grows();
         if (is_enough(needed) && (may_grow || !searched)) return false;
         if (!needed.seen.empty() && (is_part || needed_.empty()) && may_grow) {
@@ -308,7 +305,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
                                         .shifted = shifted};
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else if (rest) {
-                visibility = bake_rest(surfaces, geometry, report, baked);
+                visibility = bake_rest(geometry, surfaces, report, baked);
                 needed = {};
             } else {
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);

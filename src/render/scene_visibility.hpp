@@ -101,9 +101,15 @@ private:
     [[nodiscard]] BakeGeometry geometry_of(const SceneGeometry& surfaces, SurfaceRays& rays,
                                            std::span<const std::uint8_t> needed,
                                            const RenderOptions& options);
+    /// Bakes the vertices of `more`, and returns their visibility with that of the others in baked_.
+    [[nodiscard]] Visibility with_more(BakeGeometry geometry, const SceneGeometry& surfaces,
+                                       std::span<const std::uint8_t> more, const BakeProgress& report,
+                                       BakeStatistics& baked) const;
     /// Bakes the vertices that the bake of a part has left out.
-    [[nodiscard]] Visibility bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
+    [[nodiscard]] Visibility bake_rest(const BakeGeometry& geometry, const SceneGeometry& surfaces,
                                        const BakeProgress& report, BakeStatistics& baked) const;
+    /// Sets that all vertices are those of before_, in the same places.
+    void keep_vertices(std::size_t vertices);
     void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
                 Workers& workers, Progress& progress, Statistics& statistics);
     /// Refines the surfaces, whose bake is `visible`; from the points of the former refinement if they
