@@ -155,4 +155,10 @@ template <class Is>
     return false;
 }
 
+/// Returns whether a material reflects as a mirror alone, and transmits nothing.
+[[nodiscard]] inline bool is_mirror(const Material& material) {
+    return material.smooth_boundary() == nullptr &&
+           !any_term(material, [](const Material& layer, int term) { return !layer.smooth(term); });
+}
+
 }  // namespace nicol

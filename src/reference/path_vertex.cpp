@@ -176,9 +176,7 @@ void PathVertex::add_reflected(const glm::dvec3& towards_light, double pdf, bool
 }
 
 bool PathVertex::mirrors() const {
-    return boundary_ == nullptr && !any_term(*hit_.side.material, [](const Material& layer, int term) {
-               return !layer.smooth(term);
-           });
+    return is_mirror(*hit_.side.material);
 }
 
 void PathVertex::extend_mirrored() const {

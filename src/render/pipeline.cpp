@@ -22,6 +22,7 @@ namespace {
 
 // Share of the tolerance, as its inverse, that bounces may leave out.
 constexpr double kBouncesOfTolerance = 4;
+
 // Returns whether surfaces light each other. That needs the bake whatever the light, because light bounces
 // where surfaces hide others.
 bool light_bounces(const RenderOptions& options) {

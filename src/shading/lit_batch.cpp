@@ -180,10 +180,8 @@ void LitBatch::add_focused(const FocusedLight& focused, SampledTerms find_it) {
     const std::uint32_t lit = lit_points();
     if (lit == 0) return;
     for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-        if (points_.rays_pass_glass)  // rays show sampled lobes the whole environment, its lights included
-            reflected_.add_others(layer, weights, light_, there, sums_, find_it);
-        else
-            reflected_.add(layer, weights, light_, there, 1.0F, sums_, find_it);
+        // Rays that pass glass show sampled lobes the whole environment, its lights included.
+        reflected_.add(layer, weights, light_, there, 1.0F, sums_, find_it, points_.rays_pass_glass);
     });
 }
 

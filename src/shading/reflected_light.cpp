@@ -241,20 +241,13 @@ std::span<const float> ReflectedLight::weights_of(const Material& material, std:
 
 void ReflectedLight::add(const Material& material, const LayerWeights* weights, const LaneLight& light,
                          std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
-                         SampledTerms find_it) const {
+                         SampledTerms find_it, bool all_sampled_find_it) const {
     const auto has = [&](int term) {
-        return !material.smooth(term) && !finds_lights(material, term, find_it);
+        return !material.smooth(term) && !(all_sampled_find_it ? is_sampled(material, term, find_it)
+                                                               : finds_lights(material, term, find_it));
     };
     add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
               {.by_cosine = factor, .by_square = 0}, out);
-}
-
-void ReflectedLight::add_others(const Material& material, const LayerWeights* weights, const LaneLight& light,
-                                std::uint32_t points, std::span<std::array<Lanes, 4>> out,
-                                SampledTerms sampled) const {
-    const auto has = [&](int term) { return !material.smooth(term) && !is_sampled(material, term, sampled); };
-    add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
-              {.by_cosine = 1, .by_square = 0}, out);
 }
 
 std::span<const Lobe> ReflectedLight::sampled_lobes(const Material& material, SampledTerms sampled) {

@@ -47,13 +47,11 @@ public:
     /// pBRDF times irradiance, times the cosine, times `factor` (above 0), times the weights of a layer
     /// (null: 1). `material` must have no variation(). A light or a material of one channel serves all. The
     /// channels may be those of several lights, one light after the other, for which the material's channels
-    /// repeat. Terms that find the light by themselves, see finds_lights(), are left out.
+    /// repeat. Terms that find the light by themselves are left out: those of finds_lights(), or all that
+    /// `find_it` names.
     void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
-             SampledTerms find_it = SampledTerms::none) const;
-    /// Adds what add() adds with the factor 1, but by the terms that `sampled` does not name.
-    void add_others(const Material& material, const LayerWeights* weights, const LaneLight& light,
-                    std::uint32_t points, std::span<std::array<Lanes, 4>> out, SampledTerms sampled) const;
+             SampledTerms find_it = SampledTerms::none, bool all_sampled_find_it = false) const;
 
     /// Returns unit directions towards the viewer, in the surfaces' frames.
     [[nodiscard]] const LaneVectors& towards_viewer() const { return towards_viewer_; }

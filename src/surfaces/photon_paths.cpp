@@ -15,6 +15,7 @@
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
 #include "material/reflectance.hpp"
+#include "material/spatial_variation.hpp"
 #include "shading/boundary_split.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/weighted_terms.hpp"
@@ -22,11 +23,11 @@
 namespace nicol {
 namespace {
 
-// Number of paths of all sources together.
+// Number of paths of all pairs of a source and a smooth surface together.
 constexpr std::size_t kPaths = std::size_t{1} << 17;
-// Part of it that all pairs of a source and a smooth surface trace first, to share the paths out by the light
-// that arrives; and the smallest and the largest number for a pair.
-constexpr std::size_t kPilotPart = 8;
+// The pairs share the paths out by the light that pilots find to arrive. All pilots together are an eighth of
+// the paths, a pair's within these limits.
+constexpr std::size_t kPilots = kPaths / 8;
 constexpr std::size_t kLeastPilots = kLanes;
 constexpr std::size_t kMostPilots = 1024;
 // Fewer photons in all have no density.
@@ -39,17 +40,11 @@ struct SmoothRange {
     std::vector<double> areas;  // cumulative
 };
 
-// Returns whether a surface without textures reflects light as a mirror alone.
-bool is_mirror(const Material& material) {
-    if (material.smooth_boundary() != nullptr || material.variation() != nullptr) return false;
-    for (int t = 0; t < material.terms(); ++t)
-        if (!material.smooth(t)) return false;
-    return material.terms() > 0;
-}
-
+// Returns whether paths go on from a surface: from smooth glass, and from mirrors without textures.
 bool bends_light(const Material& material) {
     const SmoothBoundary* const boundary = material.smooth_boundary();
-    return boundary != nullptr ? !boundary->rough() : is_mirror(material);
+    if (boundary != nullptr) return !boundary->rough();
+    return material.variation() == nullptr && material.terms() > 0 && is_mirror(material);
 }
 
 // Returns a point of [0, 1)^2: of a sequence that fills the square evenly, as if by chance of the seed.
@@ -84,11 +79,7 @@ public:
     Tracer(const PhotonScene& scene, std::span<const LightSourcePtr> sources)
         : scene_(scene), sources_(sources) {
         const WorldGeometry& geometry = scene.geometry;
-        ranges_of_.resize(geometry.triangles.size());
         for (const TriangleBatch& batch : triangle_batches(geometry)) {
-            std::fill(ranges_of_.begin() + static_cast<std::ptrdiff_t>(batch.first),
-                      ranges_of_.begin() + static_cast<std::ptrdiff_t>(batch.last),
-                      static_cast<std::uint32_t>(batch.range));
             const VertexRange& range = geometry.ranges[batch.range];
             if (!range.roles.casts_shadows || !range.roles.visible || !bends_light(*range.material)) continue;
             SmoothRange& smooth = smooth_.emplace_back(SmoothRange{batch.range, {}, {}});
@@ -120,7 +111,7 @@ public:
             for (const LightSourcePtr& source : sources_)
                 pairs.push_back({smooth, *source, static_cast<std::uint32_t>(pairs.size())});
         const std::size_t pilots =
-            std::clamp(kPaths / kPilotPart / pairs.size() / kLanes * kLanes, kLeastPilots, kMostPilots);
+            std::clamp(kPilots / pairs.size() / kLanes * kLanes, kLeastPilots, kMostPilots);
         tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
             Pair& pair = pairs[i];
             for_starts(pair.smooth, pair.source, pair.index, 0, pilots, pilots,
@@ -171,7 +162,7 @@ private:
                                   b1 * glm::dvec3(geometry.normals[corners.y]) +
                                   b2 * glm::dvec3(geometry.normals[corners.z]);
         const double length = glm::length(normal);
-        return {.range = ranges_of_[triangle],
+        return {.range = range_of(geometry, corners.x),
                 .triangle = triangle,
                 .position = (1 - b1 - b2) * a + b1 * b + b2 * c,
                 .facet = facet,
@@ -312,7 +303,6 @@ private:
     const PhotonScene& scene_;
     std::span<const LightSourcePtr> sources_;
     std::vector<SmoothRange> smooth_;
-    std::vector<std::uint32_t> ranges_of_;  // by triangle
 };
 
 }  // namespace
