@@ -40,19 +40,21 @@ struct ShadeInput : TransferInput {
 
 /// Input of shading at pixels. The vertices of all triangles in view must be chosen.
 struct PixelInput : ShadeInput {
-    const Projection& projection;          ///< projection of the geometry's axes
-    const VisibilityBuffer& hits;          ///< hits, also on the host if there are local lights
-    const HighOrderTransfer* high_orders;  ///< null: no high orders
-    bool physical;  ///< whether Stokes vectors are moved into the physically realizable range
-    const LocalLights* local_lights;  ///< null: no local lights
-    std::uint32_t seed;               ///< seed of light samples
-    const Background* background;     ///< background behind the surfaces; null: none, or it is drawn
-    double light_scale;               ///< factor of the background, which light_factors have as well
+    const Projection& projection;                    ///< projection of the geometry's axes
+    const VisibilityBuffer& hits;                    ///< hits, also on the host if there are local lights
+    const HighOrderTransfer* high_orders = nullptr;  ///< null: no high orders
+    /// Whether Stokes vectors are moved into the physically realizable range.
+    bool physical = false;
+    const LocalLights* local_lights = nullptr;  ///< null: no local lights
+    std::uint32_t seed = 0;                     ///< seed of light samples
+    /// Background behind the surfaces; null: none, or it is drawn.
+    const Background* background = nullptr;
+    double light_scale = 1;  ///< factor of the background, which light_factors have as well
     /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
-    const SmoothSurfaces* smooth;
-    int smooth_events;        ///< largest number of reflections and refractions of a ray
-    const LightPyramid* sky;  ///< environment that rays meet; null: none
-    const Bounces* bounced;   ///< bounced light, for sampled terms; null: none
+    const SmoothSurfaces* smooth = nullptr;
+    int smooth_events = 0;              ///< largest number of reflections and refractions of a ray
+    const LightPyramid* sky = nullptr;  ///< environment that rays meet; null: none
+    const Bounces* bounced = nullptr;   ///< bounced light, for sampled terms; null: none
 };
 
 /// Executor, which computes and keeps the light and Stokes vectors of vertices. Callers decide what is

@@ -26,19 +26,12 @@ PixelInput Pipeline::pixel_input(const Scene& scene, const ShadeInput& input, co
         background_.reset();
         if (behind) background_.emplace(*scene.background(), input.channels);
     });
-    return {input,
-            projection,
-            hits,
-            nullptr,
-            options.physical,
-            nullptr,
-            static_cast<std::uint32_t>(options.seed),
-            behind ? &*background_ : nullptr,
-            scene.light_scale(),
-            nullptr,
-            0,
-            nullptr,
-            nullptr};
+    PixelInput out{input, projection, hits};
+    out.physical = options.physical;
+    out.seed = static_cast<std::uint32_t>(options.seed);
+    if (behind) out.background = &*background_;
+    out.light_scale = scene.light_scale();
+    return out;
 }
 
 void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,

@@ -335,8 +335,8 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     const RefinedSurfaces& surfaces = pipeline_.surfaces();
     const bool made = pipeline_.made_image();
     // A host reads its textures, and elements are drawn over the image.
-    StokesImage* const image_made =
-        made && !elements && info.backend != gl::Backend::host ? executor.image() : nullptr;
+    const bool in_host = info.backend == gl::Backend::host;
+    StokesImage* const image_made = made && !elements && !in_host ? executor.image() : nullptr;
     update_buffers(surfaces, target.channels());
     if (!made) {
         if (elements)
@@ -369,7 +369,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
             });
         }
         statistics.draw_ms += watch.milliseconds();
-        if (pipeline_.made_image()) statistics.transfer_bytes += hits_.bytes();
+        if (made) statistics.transfer_bytes += hits_.bytes();
         const gl::MemoryUse memory = context_->memory();
         statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
                                   memory.of(gl::MemoryKind::storage);
@@ -381,8 +381,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     };
     // A host keeps the names of its framebuffers' textures, so its images are drawn where they are. Nobody
     // else reads a framebuffer of the renderer's own.
-    const bool in_place =
-        info.backend == gl::Backend::host || &target == colours_.get() || &target == spare_.get();
+    const bool in_place = in_host || &target == colours_.get() || &target == spare_.get();
     if (in_place) {
         put(target, [&] { draw_into(target); });
     } else {

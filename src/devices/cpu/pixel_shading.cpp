@@ -11,7 +11,10 @@
 
 namespace nicol {
 
-PixelRays pixel_rays(const PixelInput& input) {
+namespace {
+
+// Returns the rays through the pixels of an image, in the distant light's axes.
+PixelRays rays_through(const PixelInput& input) {
     const Projection& projection = input.projection;
     const Viewpoint& view = projection.view;
     const glm::dmat3 to_light = glm::transpose(input.light_to_geometry);
@@ -27,6 +30,15 @@ PixelRays pixel_rays(const PixelInput& input) {
             .down = through(0, 1) - first,
             .up = to_light * view.up,
             .width = static_cast<std::size_t>(input.hits.width())};
+}
+
+}  // namespace
+
+void add_background(const PixelInput& input, std::size_t first, std::size_t last,
+                    std::span<const float> coverage, std::span<const std::span<glm::vec4>> out) {
+    if (input.background == nullptr) return;
+    input.background->add(rays_through(input), static_cast<float>(input.light_scale), input.most_components,
+                          first, last, coverage, out);
 }
 
 PointCounts PixelShading::run(std::size_t first, std::size_t last,
@@ -55,10 +67,7 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
         for (const std::span<glm::vec4> channel : stokes) std::ranges::fill(channel, glm::vec4(0));
         surfaces_.add_lights(batch, stokes, counts);
     });
-    if (input_.background != nullptr) {
-        input_.background->add(pixel_rays(input_), static_cast<float>(input_.light_scale),
-                               input_.most_components, first, last, coverage, out);
-    }
+    add_background(input_, first, last, coverage, out);
     if (chains_) chains_->add(first, last, out, counts);
     return counts;
 }

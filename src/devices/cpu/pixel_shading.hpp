@@ -14,8 +14,10 @@
 
 namespace nicol {
 
-/// Returns the rays through the pixels of an image, in the distant light's axes.
-[[nodiscard]] PixelRays pixel_rays(const PixelInput& input);
+/// Adds the background of an image, if the input has one, to out[c][pixel] for pixels first <= i < last,
+/// behind surfaces that cover the part coverage[i - first].
+void add_background(const PixelInput& input, std::size_t first, std::size_t last,
+                    std::span<const float> coverage, std::span<const std::span<glm::vec4>> out);
 
 /// Shading of the pixels of an image that show a surface. Calls for different pixels may run in parallel.
 class PixelShading {

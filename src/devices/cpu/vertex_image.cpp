@@ -99,9 +99,7 @@ void VertexImage::run(std::size_t first, std::size_t last, std::span<const std::
                         pixel, out);
         }
     }
-    if (input_.background != nullptr)
-        input_.background->add(pixel_rays(input_), static_cast<float>(input_.light_scale),
-                               input_.most_components, first, last, coverage, out);
+    add_background(input_, first, last, coverage, out);
 }
 
 }  // namespace nicol
