@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "capi/capi.hpp"
-#include "memory/failing_new.hpp"
+#include "memory/sweep.hpp"
 
 using namespace capi_test;
 using namespace memory_test;
@@ -130,29 +130,7 @@ TEST_CASE("a frame that lacks memory harms no other frame of its scene") {
         CAPTURE(std::string(variant.name));
         const Owned scene(simple_scene(context, tent.environment, tent.mesh, tent.material));
         const Owned framebuffer(framebuffer_of(context, size, size, 3));
-        std::vector<float> expected[2];
-        std::int64_t allocations = 0, failed = 0;
-        for (int round = 0; round < 2; ++round) {  // the second round has what frames share
-            for (const std::size_t k : {0U, 1U}) {
-                const Shortage none;
-                OK(render(scene, variant, framebuffer, distances[k]));
-                allocations = none.count();
-                expected[k] = read_all(framebuffer);
-            }
-        }
-        REQUIRE(expected[0] != expected[1]);
-        for (std::int64_t position = 0; position < allocations; ++position) {
-            CAPTURE(position);
-            const std::size_t k = position % 2 == 0 ? 0 : 1;
-            {
-                const Shortage shortage(position, false);
-                if (render(scene, variant, framebuffer, distances[k]) != NICOL_OK) ++failed;
-            }
-            for (const std::size_t other : {1 - k, k}) {
-                OK(render(scene, variant, framebuffer, distances[other]));
-                REQUIRE(read_all(framebuffer) == expected[other]);
-            }
-        }
-        CHECK(failed > allocations / 2);
+        sweep_frames([&](std::size_t k) { return render(scene, variant, framebuffer, distances[k]); },
+                     [&] { return read_all(framebuffer); }, [] {});
     }
 }

@@ -40,4 +40,37 @@ std::int64_t sweep(std::int64_t positions, const Call& call, const Check& check)
     return failed;
 }
 
+/// Renders frames 0 and 1 by turns, each time with a failure at the next of a frame's allocations in the
+/// library. frame(k): renders a frame and returns its result. image(): returns the image of the last frame.
+/// lacked(): called after each frame that lacked memory. Checks that both frames have the images that they
+/// have with enough memory, after each of them.
+template <class Frame, class GetImage, class Lacked>
+void sweep_frames(const Frame& frame, const GetImage& image, const Lacked& lacked) {
+    std::vector<float> expected[2];
+    std::int64_t allocations = 0, failed = 0;
+    for (int round = 0; round < 2; ++round) {  // the second round has what frames share
+        for (const std::size_t k : {0U, 1U}) {
+            const Shortage none;
+            OK(frame(k));
+            allocations = none.count();
+            expected[k] = image();
+        }
+    }
+    REQUIRE(expected[0] != expected[1]);
+    for (std::int64_t position = 0; position < allocations; ++position) {
+        CAPTURE(position);
+        const std::size_t k = position % 2 == 0 ? 0 : 1;
+        {
+            const Shortage shortage(position, false);
+            if (frame(k) != NICOL_OK) ++failed;
+        }
+        lacked();
+        for (const std::size_t other : {1 - k, k}) {
+            OK(frame(other));
+            REQUIRE(image() == expected[other]);
+        }
+    }
+    CHECK(failed > allocations / 2);
+}
+
 }  // namespace memory_test

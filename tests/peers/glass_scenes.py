@@ -47,13 +47,7 @@ def errors(context, file, samples, **definitions):
     loaded = peer.mitsuba_scene(file, **definitions)
     truth = [peer.mitsuba_image(loaded, samples, seed) for seed in (1, 2)]
     given = [f"{name}={value}" for name, value in definitions.items()]
-    with nicol.Scene.load(context, str(file), given) as scene:
-        with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:
-            ours = []
-            for seed in (3, 4):
-                options = nicol.RenderOptions(seed=seed, max_depth=scene.get_max_depth(), pixel_samples=8)
-                nicol.render(scene, scene.get_camera(), options, framebuffer)
-                ours.append(stokes_images.nicol_stokes(framebuffer))
+    ours, _ = random_scenes.nicol_images(context, file, (3, 4), random_scenes.DEFAULT, given)
     squares, deviations = stokes_images.squared_error(random_scenes.blocks(ours), random_scenes.blocks(truth))
     roots = numpy.sqrt(numpy.maximum(squares, 0))
     # The deviation of a root is that of its square over twice the root.

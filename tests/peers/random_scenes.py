@@ -53,10 +53,10 @@ class Errors(typing.NamedTuple):
     known: bool = False
 
 
-def nicol_images(context, scene_file, seeds, options):
-    """Renders with each seed, to the depth of the scene's integrator. The context keeps the tables of materials. Returns the images
+def nicol_images(context, scene_file, seeds, options, definitions=()):
+    """Renders with each seed, to the depth of the scene's integrator. definitions: "name=value" for the scene's parameters. The context keeps the tables of materials. Returns the images
     and the predicted error of the last one."""
-    with nicol.Scene.load(context, str(scene_file)) as scene:
+    with nicol.Scene.load(context, str(scene_file), definitions) as scene:
         with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:
             images = []
             for seed in seeds:
