@@ -19,6 +19,9 @@ struct Angles {
     const Lanes* sine;
 };
 
+// Functions are inlined into one for each kind of processor, and compilers take long for what is inlined
+// often: loops call multiply() at one place for each number of fields.
+
 // Multiplies rows a, a + 2, ... of a quarter by every other number of Fields fields x.
 template <int Fields, int Rows>
 [[gnu::always_inline]] inline void multiply_rows(const float* matrix, int l, int a, int n0, const Lanes* x,
@@ -58,9 +61,10 @@ template <int Fields>
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_real(const float* matrix, int l, const Lanes* re, const Lanes* im,
                                                  Lanes* re_out, Lanes* im_out) {
-    for (int a = 0; a < 2; ++a) {
-        multiply<Fields>(matrix, l, a, (l + a) % 2, re, re_out);
-        multiply<Fields>(matrix, l, a, (l + a + 1) % 2, im, im_out);
+    for (int half = 0; half < 4; ++half) {
+        const int a = half / 2;
+        const bool real = half % 2 == 0;
+        multiply<Fields>(matrix, l, a, (l + half - a) % 2, real ? re : im, real ? re_out : im_out);
     }
 }
 
@@ -147,11 +151,14 @@ template <int Fields>
         for (int m = 0; m <= l && !t.back; ++m) {
             multiply_azimuth<Fields>(t, begin + m, m, re + Fields * m, im + Fields * m);
         }
-        multiply_real<Fields>(first, l, re, im, other_re, other_im);
-        for (int k = 1; k <= l; ++k) {
-            multiply_phase<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k, zenith_sign);
+        for (const bool back : {false, true}) {
+            multiply_real<Fields>(back ? second : first, l, back ? other_re : re, back ? other_im : im,
+                                  back ? re : other_re, back ? im : other_im);
+            for (int k = 1; k <= l && !back; ++k) {
+                multiply_phase<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k,
+                                       zenith_sign);
+            }
         }
-        multiply_real<Fields>(second, l, other_re, other_im, re, im);
         for (int m = 0; m <= l && t.back; ++m) {
             multiply_azimuth<Fields>(t, begin + m, m, re + Fields * m, im + Fields * m);
         }
@@ -180,10 +187,10 @@ template <int Fields>
             store(difference + Fields * n + f, x - y);
         }
     }
-    for (int a = 0; a < 2; ++a) {
+    for (int half = 0; half < 4; ++half) {
+        const int a = half / 2;
         const Lanes* x = (l + a) % 2 == 0 ? sum : difference;
-        multiply<Fields>(matrix, l, a, l % 2, x, same);
-        multiply<Fields>(matrix, l, a, (l + 1) % 2, x, other);
+        multiply<Fields>(matrix, l, a, (l + half) % 2, x, half % 2 == 0 ? same : other);
     }
     for (int a = 0; a <= l; ++a) {
         for (int f = 0; f < Fields; ++f) {
@@ -208,14 +215,13 @@ template <int Fields>
         for (int m = -l; m <= l && !t.back; ++m) {
             multiply_azimuth<Fields>(t, middle + m, m, re + Fields * m, im + Fields * m);
         }
-        multiply_complex<Fields>(first, l, re, t.scratch);
-        multiply_complex<Fields>(first, l, im, t.scratch);
-        for (int k = -l; k <= l; ++k) {
-            multiply_phase<Fields>(re + Fields * k, im + Fields * k, t.zenith, k < 0 ? -k : k,
-                                   (k < 0) != t.back ? -1.0F : 1.0F);
+        for (int half = 0; half < 4; ++half) {
+            multiply_complex<Fields>(half < 2 ? first : second, l, half % 2 == 0 ? re : im, t.scratch);
+            for (int k = -l; k <= l && half == 1; ++k) {
+                multiply_phase<Fields>(re + Fields * k, im + Fields * k, t.zenith, k < 0 ? -k : k,
+                                       (k < 0) != t.back ? -1.0F : 1.0F);
+            }
         }
-        multiply_complex<Fields>(second, l, re, t.scratch);
-        multiply_complex<Fields>(second, l, im, t.scratch);
         for (int m = -l; m <= l && t.back; ++m) {
             multiply_azimuth<Fields>(t, middle + m, m, re + Fields * m, im + Fields * m);
         }
