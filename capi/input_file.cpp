@@ -3,7 +3,7 @@
 
 #include "boundary.hpp"
 #include "files/memory_files.hpp"
-#include "files/suffix_of_content.hpp"
+#include "import/file_kind.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;

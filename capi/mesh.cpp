@@ -4,6 +4,7 @@
 
 #include "assets.hpp"
 #include "geometry/deformed_mesh.hpp"
+#include "geometry/mesh_format.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -51,7 +52,7 @@ std::shared_ptr<const Mesh> load_mesh_file(const std::filesystem::path& path, co
     budget.take_file(path);
     const auto mesh = std::make_shared<Mesh>(load_mesh(
         path, [&](const std::string& text) { session->notice(text); }, 0, budget));
-    if (has_upward_texcoords(path)) flip_texcoords(*mesh);
+    if (mesh_format_of(path)->upward_texcoords) flip_texcoords(*mesh);
     budget.take_instance(path, mesh->positions.size(), mesh->triangles.size());
     return mesh;
 }

@@ -50,10 +50,10 @@ struct MeshColorNames {
 };
 
 /// Reads Wavefront OBJ, PLY (text, binary), OFF (text), STL (text, binary) or Mitsuba's serialized meshes,
-/// chosen by the suffix. A serialized file holds several meshes; `shape` (0-based) selects one. Polygons,
-/// concave ones too, become triangles. Every face with an area is kept, manifold or not. Triangles without
-/// area, vertices without a face, and elements that the reader ignores (materials of OBJ, unknown lines) are
-/// left out; one call of `notice` then counts them.
+/// chosen by the suffix, see mesh_format.hpp. A serialized file holds several meshes; `shape` (0-based)
+/// selects one. Polygons, concave ones too, become triangles. Every face with an area is kept, manifold or
+/// not. Triangles without area, vertices without a face, and elements that the reader ignores (materials of
+/// OBJ, unknown lines) are left out; one call of `notice` then counts them.
 /// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split; apart from
 ///   this, vertices keep the order of the file.
 /// - Missing normals are made by smooth_normals(). For STL, equal positions are merged and normals are smooth
@@ -90,13 +90,6 @@ void smooth_normals(Mesh& mesh);
 /// passed validate().
 [[nodiscard]] Mesh with_face_normals(const Mesh& mesh);
 
-/// Names of the formats that load_mesh() reads, "obj, ply, ...": each is also the suffix of its files.
-[[nodiscard]] std::string mesh_format_names();
-/// Returns whether load_mesh() reads a format of this name.
-[[nodiscard]] bool is_mesh_format(std::string_view name);
-/// Returns whether files of this kind hold several meshes, of which load_mesh() selects one.
-[[nodiscard]] bool holds_several_meshes(const std::filesystem::path& file);
-
 /// Kinds of the curves of a file.
 enum class CurveKind {
     linear,  ///< straight segments with balls at their points
@@ -108,9 +101,6 @@ enum class CurveKind {
 /// Error(invalid_file) that names the line, and what reading throws.
 [[nodiscard]] Mesh load_curves(const std::filesystem::path& file, CurveKind kind,
                                const glm::dmat3& axes = glm::dmat3(1), const LoadBudget& budget = {});
-
-/// Returns whether files of this kind count v from the image's last row upwards: OBJ, as in Mitsuba.
-[[nodiscard]] bool has_upward_texcoords(const std::filesystem::path& file);
 
 /// Replaces v by 1 - v, which converts upward v to v counted from the image's first row downwards.
 void flip_texcoords(Mesh& mesh);

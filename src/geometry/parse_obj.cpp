@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "error.hpp"
-#include "geometry/parse.hpp"
+#include "files/first_statement.hpp"
+#include "geometry/mesh_format.hpp"
+#include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
@@ -222,11 +224,25 @@ private:
     std::uint64_t materials_ = 0;
 };
 
+PolygonMesh parse_obj(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget& budget) {
+    return ObjParser(mesh.name, mesh.bytes, left_out, budget).run();
+}
+
+// Blanks follow the keyword of a statement that can come first.
+bool begins_as_obj(std::string_view bytes) {
+    constexpr std::array<std::string_view, 9> keywords{"v", "vt", "vn",     "f",     "g",
+                                                       "o", "s",  "mtllib", "usemtl"};
+    const std::string_view statement = first_statement(bytes);
+    const std::size_t blank = statement.find_first_of(" \t");
+    return blank != std::string_view::npos && std::ranges::count(keywords, statement.substr(0, blank)) > 0;
+}
+
 }  // namespace
 
-PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                      const LoadBudget& budget) {
-    return ObjParser(name, bytes, left_out, budget).run();
-}
+const MeshFormat kObj{.name = "obj",
+                      .kind = "an OBJ mesh",
+                      .parse = parse_obj,
+                      .begins = begins_as_obj,
+                      .upward_texcoords = true};
 
 }  // namespace nicol::geometry

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "error.hpp"
-#include "geometry/parse.hpp"
+#include "files/first_statement.hpp"
+#include "geometry/mesh_format.hpp"
+#include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
@@ -28,21 +30,28 @@ glm::vec3 color_of(const std::vector<float>& rgb) {
     return bytes ? color / 255.0F : color;
 }
 
-}  // namespace
+// Data of vertices beside their positions, which letters before OFF announce.
+struct OffData {
+    bool texcoords, colors, normals;
+};
 
-PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                      const LoadBudget& budget) {
-    Tokenizer tokens(name, as_text(name, bytes), '#');
-    std::string_view keyword = tokens.require("the keyword OFF");
+// Drops the letters from the keyword.
+OffData taken_data(std::string_view& keyword) {
     const auto strip_prefix = [&keyword](std::string_view prefix) {
         const bool present = keyword.starts_with(prefix);
         if (present) keyword.remove_prefix(prefix.size());
         return present;
     };
-    const bool has_texcoords = strip_prefix("ST");
-    const bool has_colours = strip_prefix("C");
-    const bool has_normals = strip_prefix("N");
-    const std::string prefix = std::string(name) + ": ";
+    const bool texcoords = strip_prefix("ST");
+    const bool colors = strip_prefix("C");
+    return {.texcoords = texcoords, .colors = colors, .normals = strip_prefix("N")};
+}
+
+PolygonMesh parse_off(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget& budget) {
+    Tokenizer tokens(mesh.name, as_text(mesh.name, mesh.bytes), '#');
+    std::string_view keyword = tokens.require("the keyword OFF");
+    const OffData data = taken_data(keyword);
+    const std::string prefix = std::string(mesh.name) + ": ";
     if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
         throw Error(ErrorCode::unsupported,
                     prefix + "OFF with other than three coordinates; expected OFF, NOFF, COFF or STOFF");
@@ -64,15 +73,15 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
             return glm::vec3(x, y, tokens.number(what));
         };
         out.positions.push_back(triple());
-        if (has_normals) out.normals.push_back(triple());
-        if (!has_colours && !has_texcoords) continue;
+        if (data.normals) out.normals.push_back(triple());
+        if (!data.colors && !data.texcoords) continue;
         const std::vector<float> rest = numbers(tokens.line());
-        const std::size_t of_texcoord = has_texcoords ? 2 : 0;
-        if (has_colours && rest.size() >= 3 + of_texcoord) {
+        const std::size_t of_texcoord = data.texcoords ? 2 : 0;
+        if (data.colors && rest.size() >= 3 + of_texcoord) {
             out.colors.resize(out.positions.size(), glm::vec3(1));
             out.colors.back() = color_of(rest);
         }
-        if (has_texcoords) {
+        if (data.texcoords) {
             out.texcoords.emplace_back(0);
             if (rest.size() >= 2) out.texcoords.back() = {rest[rest.size() - 2], rest.back()};
         }
@@ -90,8 +99,8 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
                             std::to_string(vertices));
             const auto at = static_cast<std::uint32_t>(index);
             out.corners.push_back({.position = at,
-                                   .normal = has_normals ? at : PolygonMesh::kNone,
-                                   .texcoord = has_texcoords ? at : PolygonMesh::kNone});
+                                   .normal = data.normals ? at : PolygonMesh::kNone,
+                                   .texcoord = data.texcoords ? at : PolygonMesh::kNone});
         }
         const std::vector<float> rest = numbers(tokens.line());
         if (out.end_face(left_out) && rest.size() >= 3) {
@@ -102,5 +111,15 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
     if (!out.face_colors.empty()) out.face_colors.resize(out.face_ends.size(), glm::vec3(1));
     return out;
 }
+
+bool begins_as_off(std::string_view bytes) {
+    std::string_view keyword = first_statement(bytes);
+    static_cast<void>(taken_data(keyword));
+    return keyword.starts_with("OFF");
+}
+
+}  // namespace
+
+const MeshFormat kOff{.name = "off", .kind = "an OFF mesh", .parse = parse_off, .begins = begins_as_off};
 
 }  // namespace nicol::geometry

@@ -12,8 +12,9 @@
 
 #include "error.hpp"
 #include "files/load_budget.hpp"
-#include "geometry/parse.hpp"
+#include "geometry/mesh_format.hpp"
 #include "geometry/ply_header.hpp"
+#include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
@@ -322,13 +323,10 @@ void complete_corners(const Values& values, PolygonMesh& out, std::uint32_t firs
     }
 }
 
-}  // namespace
-
-PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                      const LoadBudget& budget, const MeshColorNames& colors) {
-    bytes = as_text(name, bytes);
-    const Header header = parsed_header(name, bytes, left_out);
-    Values values(name, bytes, header, budget);
+PolygonMesh parse_ply(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget& budget) {
+    const std::string_view bytes = as_text(mesh.name, mesh.bytes);
+    const Header header = parsed_header(mesh.name, bytes, left_out);
+    Values values(mesh.name, bytes, header, budget);
     for (const std::string_view wanted : {"vertex", "face"})
         if (std::ranges::count(header.elements, wanted, &Element::name) != 1)
             values.fail("expected one element \"" + std::string(wanted) + "\" in the header");
@@ -337,10 +335,10 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
     for (const Element& e : header.elements) {
         if (e.name == "vertex") {
             const auto before = static_cast<std::uint32_t>(out.texcoords.size());
-            read_vertices(values, e, colors, out, left_out);
+            read_vertices(values, e, mesh.colors, out, left_out);
             if (out.texcoords.size() > before) first_texcoord = before;
         } else if (e.name == "face") {
-            read_faces(values, e, colors, out, left_out);
+            read_faces(values, e, mesh.colors, out, left_out);
         } else if (!e.properties.empty()) {
             const auto what = [&] { return "element " + e.name; };
             for (std::uint64_t i = 0; i < e.count; ++i)
@@ -351,5 +349,17 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
     complete_corners(values, out, first_texcoord);
     return out;
 }
+
+bool begins_as_ply(std::string_view bytes) {
+    return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
+}  // namespace
+
+const MeshFormat kPly{.name = "ply",
+                      .kind = "a PLY mesh",
+                      .parse = parse_ply,
+                      .begins = begins_as_ply,
+                      .other_attributes = true};
 
 }  // namespace nicol::geometry

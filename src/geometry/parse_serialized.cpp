@@ -15,7 +15,8 @@
 
 #include "error.hpp"
 #include "geometry/finite.hpp"
-#include "geometry/parse.hpp"
+#include "geometry/mesh_format.hpp"
+#include "geometry/polygon_mesh.hpp"
 
 namespace nicol::geometry {
 namespace {
@@ -150,12 +151,12 @@ void read_attributes(Stream& stream, std::uint32_t flags, std::uint64_t vertices
     if ((flags & colors) != 0) out.colors = stream.vectors<glm::vec3, Number>(vertices);
 }
 
-}  // namespace
-
-PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std::size_t shape,
-                             LeftOut& left_out, const LoadBudget& budget) {
+// Texture coordinates and colours that are not finite stay.
+PolygonMesh parse_serialized(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget& budget) {
+    const std::string_view name = mesh.name;
+    const std::string_view bytes = mesh.bytes;
     const auto version = bytes.size() < kHeader ? std::uint16_t{0} : number_at<std::uint16_t>(bytes, 2);
-    Stream stream(name, mesh_at(name, bytes, shape), budget);
+    Stream stream(name, mesh_at(name, bytes, mesh.shape), budget);
     const auto flags = stream.next<std::uint32_t>();
     if (version >= 4)
         while (stream.next<char>() != 0) continue;
@@ -191,5 +192,17 @@ PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std:
     }
     return out;
 }
+
+bool begins_as_serialized(std::string_view bytes) {
+    return bytes.starts_with("\x1c\x04");
+}
+
+}  // namespace
+
+const MeshFormat kSerialized{.name = "serialized",
+                             .kind = "a Mitsuba mesh",
+                             .parse = parse_serialized,
+                             .begins = begins_as_serialized,
+                             .several_meshes = true};
 
 }  // namespace nicol::geometry

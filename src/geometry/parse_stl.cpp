@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "error.hpp"
+#include "files/first_statement.hpp"
 #include "geometry/crease_normals.hpp"
-#include "geometry/parse.hpp"
+#include "geometry/mesh_format.hpp"
+#include "geometry/polygon_mesh.hpp"
 #include "geometry/position_hash.hpp"
 #include "geometry/tokenizer.hpp"
 
@@ -122,23 +124,35 @@ void read_binary(StlMesh& out, std::string_view name, std::string_view bytes) {
     }
 }
 
+bool begins_with_solid(std::string_view text) {
+    return text.starts_with("solid") || text.starts_with("SOLID");
+}
+
+// Binary files may begin with "solid", too.
+bool sized_as_binary(std::string_view bytes) {
+    return bytes.size() >= kHeaderSize &&
+           bytes.size() == kHeaderSize + std::uint64_t{binary_count(bytes)} * kFacetSize;
+}
+
+PolygonMesh parse_stl(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget& budget) {
+    StlMesh read(left_out, budget);
+    const std::string_view text =
+        sized_as_binary(mesh.bytes) ? std::string_view() : as_text(mesh.name, mesh.bytes);
+    if (begins_with_solid(text))
+        read_text(read, mesh.name, text);
+    else
+        read_binary(read, mesh.name, mesh.bytes);
+    PolygonMesh out = read.take();
+    add_crease_normals(out, kStlCreaseDegrees, budget);
+    return out;
+}
+
+bool begins_as_stl(std::string_view bytes) {
+    return sized_as_binary(bytes) || begins_with_solid(first_statement(bytes));
+}
+
 }  // namespace
 
-PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                      const LoadBudget& budget) {
-    StlMesh out(left_out, budget);
-    // The size identifies binary files, because they may begin with "solid" too.
-    const bool sized_as_binary =
-        bytes.size() >= kHeaderSize &&
-        bytes.size() == kHeaderSize + std::uint64_t{binary_count(bytes)} * kFacetSize;
-    const std::string_view text = sized_as_binary ? std::string_view() : as_text(name, bytes);
-    if (text.starts_with("solid") || text.starts_with("SOLID"))
-        read_text(out, name, text);
-    else
-        read_binary(out, name, bytes);
-    PolygonMesh mesh = out.take();
-    add_crease_normals(mesh, kStlCreaseDegrees, budget);
-    return mesh;
-}
+const MeshFormat kStl{.name = "stl", .kind = "an STL mesh", .parse = parse_stl, .begins = begins_as_stl};
 
 }  // namespace nicol::geometry

@@ -2,23 +2,12 @@
 // Mesh files in builds without them.
 #include "files/file_error.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/mesh_format.hpp"
 
 namespace nicol {
 
-std::string mesh_format_names() {
+std::span<const MeshFormat* const> mesh_formats() {
     return {};
-}
-
-bool is_mesh_format(std::string_view /*name*/) {
-    return false;
-}
-
-bool holds_several_meshes(const std::filesystem::path& /*file*/) {
-    return false;
-}
-
-bool has_upward_texcoords(const std::filesystem::path& /*file*/) {
-    return false;
 }
 
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& /*notice*/,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "import/load_scene.hpp"
 #include "files/suffix.hpp"
+#include "import/file_kind.hpp"
 #include "import/primitive_detail.hpp"
 
 #include <algorithm>
@@ -21,7 +22,6 @@
 #include "arguments.hpp"
 #include "import/elements_before_lights.hpp"
 #include "import/material_maker.hpp"
-#include "import/other_file.hpp"
 #include "import/scene_color.hpp"
 #include "import/scene_description.hpp"
 #include "import/scene_files.hpp"

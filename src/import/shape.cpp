@@ -5,6 +5,7 @@
 
 #include "files/suffix.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/mesh_format.hpp"
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
 #include "import/text.hpp"
@@ -28,7 +29,7 @@ constexpr std::array kKindNames = {KindName{"sphere", ShapeKind::sphere},
                                    KindName{"bsplinecurve", ShapeKind::bspline_curve}};
 
 ShapeKind kind_of(const Plugin& plugin) {
-    if (is_mesh_format(plugin.type())) return ShapeKind::file;
+    if (mesh_format_named(plugin.type()) != nullptr) return ShapeKind::file;
     // Mitsuba finds Sphere as sphere where file names are not case-sensitive.
     const std::string type = lower_case(plugin.type());
     const auto* const kind = std::ranges::find(kKindNames, std::string_view(type), &KindName::name);
@@ -43,11 +44,12 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");
-    if (holds_several_meshes(shape.filename))
+    const MeshFormat& format = *mesh_format_named(plugin.type());
+    if (format.several_meshes)
         shape.index =
             static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
     shape.face_normals = plugin.boolean("face_normals", false);
-    shape.flip_tex_coords = plugin.boolean("flip_tex_coords", has_upward_texcoords(shape.filename));
+    shape.flip_tex_coords = plugin.boolean("flip_tex_coords", format.upward_texcoords);
 }
 
 void read_segments(Plugin& plugin, ShapeDescription& shape) {

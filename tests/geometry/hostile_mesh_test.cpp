@@ -9,7 +9,8 @@
 
 #include "geometry/ear_clipping.hpp"
 #include "geometry/mesh.hpp"
-#include "geometry/parse.hpp"
+#include "geometry/mesh_format.hpp"
+#include "geometry/polygon_mesh.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
 
@@ -117,9 +118,7 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
     struct Case {
         std::string name;
         std::string bytes;
-        std::function<geometry::PolygonMesh(std::string_view, std::string_view, geometry::LeftOut&,
-                                            const LoadBudget&)>
-            parse;
+        bool parse_freely = false;  ///< the limits hold for the triangulation alone
     };
     constexpr std::size_t many = 3000000;
     const std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(many) +
@@ -128,30 +127,28 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
     const std::string facet =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     const std::vector<Case> cases{
-        {"a.obj", repeated("v 0.25 0.5 1\n", many) + "f 1 2 3\n", geometry::parse_obj},
-        {"stars.obj", obj_stars(200),
-         [](auto name, auto bytes, auto& left_out, const auto& budget) {
-             geometry::PolygonMesh polygons = geometry::parse_obj(name, bytes, left_out, {});
-             static_cast<void>(geometry::triangulated(polygons, name, left_out, budget));
-             return polygons;
-         }},
-        {"a.ply", ply + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n",
-         [](auto name, auto bytes, auto& left_out, const auto& budget) {
-             return geometry::parse_ply(name, bytes, left_out, budget);
-         }},
-        {"a.off", "OFF\n" + std::to_string(many) + " 1 0\n" + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n",
-         geometry::parse_off},
-        {"a.stl", "solid\n" + repeated(facet, many / 4) + "endsolid\n", geometry::parse_stl},
-        {"cone.stl", stl_cone(500000), geometry::parse_stl},
-        {"a.serialized", serialized(many), [](auto name, auto bytes, auto& left_out, const auto& budget) {
-             return geometry::parse_serialized(name, bytes, 0, left_out, budget);
-         }}};
+        {"a.obj", repeated("v 0.25 0.5 1\n", many) + "f 1 2 3\n"},
+        {"stars.obj", obj_stars(200), true},
+        {"a.ply", ply + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n"},
+        {"a.off", "OFF\n" + std::to_string(many) + " 1 0\n" + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n"},
+        {"a.stl", "solid\n" + repeated(facet, many / 4) + "endsolid\n"},
+        {"cone.stl", stl_cone(500000)},
+        {"a.serialized", serialized(many)}};
+    const auto covered = [&](const MeshFormat* format) {
+        return std::ranges::any_of(cases,
+                                   [&](const Case& one) { return mesh_format_of(one.name) == format; });
+    };
+    CHECK(std::ranges::all_of(mesh_formats(), covered));
     for (const Case& one : cases) {
         CAPTURE(one.name);
         // Neither limit depends on the speed of the machine: the parser meets it at its first check.
         const auto parse = [&](const LoadLimits& limits) {
             geometry::LeftOut left_out;
-            static_cast<void>(one.parse(one.name, one.bytes, left_out, LoadBudget(limits)));
+            const LoadBudget budget(limits);
+            const geometry::PolygonMesh polygons =
+                mesh_format_of(one.name)->parse({.name = one.name, .bytes = one.bytes, .colors = {}},
+                                                left_out, one.parse_freely ? LoadBudget() : budget);
+            if (one.parse_freely) static_cast<void>(triangulated(polygons, one.name, left_out, budget));
         };
         int asked = 0;
         check_error(ErrorCode::cancelled,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "geometry/mesh_format.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "temporary_folder.hpp"
