@@ -69,6 +69,14 @@ std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), voi
     return {given->*user, given->*release};
 }
 
+/// Returns the texture of a descriptor's field, null if it has none.
+inline TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
+    if (given == nullptr) return nullptr;
+    const nicol_texture_impl texture = resolve(given);
+    require_same_context(context, texture);
+    return texture.content;
+}
+
 /// Writes the corners of a box.
 inline void write_box(const Box& box, double* lower, double* upper) {
     for (int i = 0; i < 3; ++i) {

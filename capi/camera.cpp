@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "assets.hpp"
+#include "initialiser.hpp"
 #include "scene/pinhole.hpp"
 
 using namespace nicol;
@@ -136,3 +137,5 @@ nicol_result nicol_camera_frame(nicol_camera* camera, const double lower[3], con
                      "camera");
     });
 }
+
+NICOL_INITIALISER(nicol_camera, NICOL_CAMERA_INIT)

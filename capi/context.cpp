@@ -8,6 +8,7 @@
 #include "forked.hpp"
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
+#include "initialiser.hpp"
 #include "material/response_table.hpp"
 #include "worker_count.hpp"
 
@@ -288,3 +289,6 @@ nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* i
         write_struct(info, out, "info");
     });
 }
+
+NICOL_INITIALISER(nicol_context_options, NICOL_CONTEXT_OPTIONS_INIT)
+NICOL_INITIALISER(nicol_context_info, NICOL_CONTEXT_INFO_INIT)

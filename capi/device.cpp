@@ -7,6 +7,7 @@
 #include "boundary.hpp"
 #include "gl/device_list.hpp"
 #include "gl/pci_address.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -48,3 +49,5 @@ nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info) {
         write_struct(info, out, "info");
     });
 }
+
+NICOL_INITIALISER(nicol_device_info, NICOL_DEVICE_INFO_INIT)

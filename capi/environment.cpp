@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Environments.
 #include "assets.hpp"
+#include "initialiser.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;
@@ -170,3 +171,8 @@ nicol_result nicol_environment_retain(nicol_environment environment) {
 nicol_result nicol_environment_release(nicol_environment environment) {
     return release(environment);
 }
+
+NICOL_INITIALISER(nicol_image, NICOL_IMAGE_INIT)
+NICOL_INITIALISER(nicol_sky, NICOL_SKY_INIT)
+NICOL_INITIALISER(nicol_environment_load_options, NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT)
+NICOL_INITIALISER(nicol_environment_info, NICOL_ENVIRONMENT_INFO_INIT)

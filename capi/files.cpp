@@ -6,6 +6,7 @@
 
 #include "handles.hpp"
 #include "harmonics/rotation.hpp"
+#include "initialiser.hpp"
 #include "inspect/light_file.hpp"
 #include "inspect/material_file.hpp"
 #include "light/psh_file.hpp"
@@ -229,3 +230,7 @@ nicol_result nicol_psh_write_file(const char* path, uint32_t order, uint64_t vec
         write_psh_vector(file, field);
     });
 }
+
+NICOL_INITIALISER(nicol_file_options, NICOL_FILE_OPTIONS_INIT)
+NICOL_INITIALISER(nicol_light_report, NICOL_LIGHT_REPORT_INIT)
+NICOL_INITIALISER(nicol_material_report, NICOL_MATERIAL_REPORT_INIT)

@@ -11,6 +11,7 @@
 #include "files/memory_output.hpp"
 #include "files/suffix.hpp"
 #include "image/observer.hpp"
+#include "initialiser.hpp"
 #include "planes.hpp"
 #include "progress.hpp"
 
@@ -230,3 +231,5 @@ nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer, const n
         give(file.bytes(), sink, user);
     });
 }
+
+NICOL_INITIALISER(nicol_observation, NICOL_OBSERVATION_INIT)

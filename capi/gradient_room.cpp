@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harmonics/psh.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -50,3 +51,5 @@ void GradientRoom::write(const Gradients& gradients) const {
     std::ranges::copy(gradients.lights, room_.lights);
     std::ranges::copy(gradients.instances, room_.instances);
 }
+
+NICOL_INITIALISER(nicol_gradient, NICOL_GRADIENT_INIT)

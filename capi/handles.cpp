@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "initialiser.hpp"
+
 namespace nicol::capi {
 namespace registry {
 namespace {
@@ -123,3 +125,5 @@ void write_ids(const std::vector<std::uint32_t>& all, std::uint32_t* ids, std::u
 }
 
 }  // namespace nicol::capi
+
+NICOL_INITIALISER(nicol_spectrum, NICOL_SPECTRUM_INIT)

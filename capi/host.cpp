@@ -4,6 +4,7 @@
 
 #include "handles.hpp"
 #include "host_image.hpp"
+#include "initialiser.hpp"
 #include "planes.hpp"
 
 using namespace nicol;
@@ -129,3 +130,6 @@ nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
         draw(*self.session, content, observation_image(content, shown), to);
     });
 }
+
+NICOL_INITIALISER(nicol_host, NICOL_HOST_INIT)
+NICOL_INITIALISER(nicol_gl_texture, NICOL_GL_TEXTURE_INIT)

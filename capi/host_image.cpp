@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "gl/draw.hpp"
+#include "initialiser.hpp"
 #include "planes.hpp"
 #include "progress.hpp"
 
@@ -123,3 +124,5 @@ void draw(Session& session, Framebuffer& framebuffer, const HostImage& image,
 }
 
 }  // namespace nicol::capi
+
+NICOL_INITIALISER(nicol_texture_target, NICOL_TEXTURE_TARGET_INIT)

@@ -4,6 +4,7 @@
 #include "boundary.hpp"
 #include "files/memory_files.hpp"
 #include "import/file_kind.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -44,3 +45,6 @@ InputFile capi::input_file(const nicol_memory_file* file, const LoadLimits& limi
         std::make_shared<const MemoryFiles>(name, bytes, resolver(given.resolve, given.resolve_user));
     return {name, terms};
 }
+
+NICOL_INITIALISER(nicol_file_content, NICOL_FILE_CONTENT_INIT)
+NICOL_INITIALISER(nicol_memory_file, NICOL_MEMORY_FILE_INIT)

@@ -11,6 +11,7 @@
 #include "geometry/embree.hpp"
 #include "gl/worker.hpp"
 #include "handles.hpp"
+#include "initialiser.hpp"
 
 namespace nicol::capi {
 
@@ -262,3 +263,5 @@ nicol_result nicol_job_retain(nicol_job job) {
 nicol_result nicol_job_release(nicol_job job) {
     return release(job);
 }
+
+NICOL_INITIALISER(nicol_job_status, NICOL_JOB_STATUS_INIT)

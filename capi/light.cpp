@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assets.hpp"
+#include "initialiser.hpp"
 #include "light/sun.hpp"
 
 using namespace nicol;
@@ -210,3 +211,7 @@ nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emis
                            texture);
     });
 }
+
+NICOL_INITIALISER(nicol_polarization, NICOL_POLARIZATION_INIT)
+NICOL_INITIALISER(nicol_light, NICOL_LIGHT_INIT)
+NICOL_INITIALISER(nicol_emission, NICOL_EMISSION_INIT)

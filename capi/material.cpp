@@ -5,11 +5,11 @@
 #include <complex>
 
 #include "assets.hpp"
+#include "initialiser.hpp"
 #include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
 #include "material/measured.hpp"
-#include "material/mixture.hpp"
 #include "material/plastic.hpp"
 #include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
@@ -47,14 +47,6 @@ std::vector<std::complex<double>> index_of(const nicol_conductor& given) {
     for (std::size_t c = 0; c < channels; ++c)
         index.emplace_back(eta[eta.size() == 1 ? 0 : c], -k[k.size() == 1 ? 0 : c]);
     return index;
-}
-
-// Returns the texture of a descriptor's field, null if it has none.
-TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
-    if (given == nullptr) return nullptr;
-    const nicol_texture_impl texture = resolve(given);
-    require_same_context(context, texture);
-    return texture.content;
 }
 
 // Parameters with the textures that replace them.
@@ -170,24 +162,6 @@ MaterialPtr make(const nicol_dielectric& given, const nicol_context_impl& contex
          .alpha = number(given.alpha, given.alpha_texture, context),
          .distribution = distribution_of(given.distribution),
          .film = film_of(given.film)});
-}
-
-// Makes a material of another one and a texture: combine(base, texture).
-template <class Combine>
-nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
-                             nicol_material* material, Combine&& combine,
-                             const char* function = __builtin_FUNCTION()) {
-    return guarded(
-        [&] {
-            require(material, "material");
-            const nicol_context_impl session = resolve(context);
-            const nicol_material_impl of = resolve(base);
-            const nicol_texture_impl by = resolve(texture);
-            require_same_context(session, of);
-            require_same_context(session, by);
-            *material = make_handle<nicol_material_impl>(session.session, combine(of.content, by.content));
-        },
-        function);
 }
 
 /// Loads a measured material, for load().
@@ -317,66 +291,6 @@ nicol_result nicol_material_load_psh_memory(nicol_context context, const nicol_m
     return load(context, file, material, "material", PshLoader{options});
 }
 
-nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
-                                            nicol_material* material) {
-    return guarded([&] {
-        require(material, "material");
-        const nicol_context_impl session = resolve(context);
-        const nicol_material_impl source = resolve(front);
-        require_same_context(session, source);
-        *material = make_handle<nicol_material_impl>(session.session, twosided(source.content));
-    });
-}
-
-nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale,
-                                          nicol_material* material) {
-    return create_textured(context, base, scale, material, scaled);
-}
-
-nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second,
-                                         nicol_texture weight, nicol_material* material) {
-    return create_textured(context, first, weight, material, [&](const MaterialPtr& a, const TexturePtr& t) {
-        const nicol_material_impl other = resolve(second);
-        require_same_context(resolve(context), other);
-        return blend(a, other.content, t);
-    });
-}
-
-nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base,
-                                              nicol_texture normals, uint32_t mirrored_y,
-                                              nicol_material* material) {
-    return create_textured(context, base, normals, material, [&](MaterialPtr of, TexturePtr by) {
-        return normal_mapped(std::move(of), std::move(by),
-                             {.mirrored_y = switch_from(mirrored_y, "mirrored_y")});
-    });
-}
-
-nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights,
-                                            double scale, nicol_material* material) {
-    return create_textured(context, base, heights, material, [&](MaterialPtr of, TexturePtr by) {
-        return bump_mapped(std::move(of), std::move(by), scale);
-    });
-}
-
-nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base,
-                                           nicol_texture directions, double angle, nicol_material* material) {
-    return guarded([&] {
-        require(material, "material");
-        const nicol_context_impl session = resolve(context);
-        const nicol_material_impl of = resolve(base);
-        require_same_context(session, of);
-        *material = make_handle<nicol_material_impl>(
-            session.session, rotated(of.content, texture_of(directions, session), angle));
-    });
-}
-
-nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity,
-                                        nicol_material* material) {
-    return create_textured(context, base, opacity, material, [](MaterialPtr of, TexturePtr by) {
-        return masked(std::move(of), std::move(by));
-    });
-}
-
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters,
                                             nicol_material* material) {
     return guarded([&] {
@@ -403,3 +317,13 @@ nicol_result nicol_material_retain(nicol_material material) {
 nicol_result nicol_material_release(nicol_material material) {
     return release(material);
 }
+
+NICOL_INITIALISER(nicol_pplastic, NICOL_PPLASTIC_INIT)
+NICOL_INITIALISER(nicol_plastic, NICOL_PLASTIC_INIT)
+NICOL_INITIALISER(nicol_principled, NICOL_PRINCIPLED_INIT)
+NICOL_INITIALISER(nicol_conductor, NICOL_CONDUCTOR_INIT)
+NICOL_INITIALISER(nicol_film, NICOL_FILM_INIT)
+NICOL_INITIALISER(nicol_dielectric, NICOL_DIELECTRIC_INIT)
+NICOL_INITIALISER(nicol_measured, NICOL_MEASURED_INIT)
+NICOL_INITIALISER(nicol_psh_matrix, NICOL_PSH_MATRIX_INIT)
+NICOL_INITIALISER(nicol_callback_material, NICOL_CALLBACK_MATERIAL_INIT)

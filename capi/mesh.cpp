@@ -5,6 +5,7 @@
 #include "assets.hpp"
 #include "geometry/deformed_mesh.hpp"
 #include "geometry/mesh_format.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -165,3 +166,6 @@ nicol_result nicol_mesh_retain(nicol_mesh mesh) {
 nicol_result nicol_mesh_release(nicol_mesh mesh) {
     return release(mesh);
 }
+
+NICOL_INITIALISER(nicol_mesh_data, NICOL_MESH_DATA_INIT)
+NICOL_INITIALISER(nicol_deformation, NICOL_DEFORMATION_INIT)

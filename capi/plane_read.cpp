@@ -9,6 +9,7 @@
 
 #include "assets.hpp"
 #include "image/observer.hpp"
+#include "initialiser.hpp"
 #include "planes.hpp"
 #include "progress.hpp"
 #include "rows.hpp"
@@ -212,3 +213,5 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
         self.session->gl->visit([&] { read(*self.content, buffer); });
     });
 }
+
+NICOL_INITIALISER(nicol_plane_buffer, NICOL_PLANE_BUFFER_INIT)

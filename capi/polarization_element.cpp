@@ -4,6 +4,7 @@
 
 #include "assets.hpp"
 #include "element.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -106,3 +107,5 @@ nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_
         write_ids(self.content->scene.element_ids(), ids, count, "elements");
     });
 }
+
+NICOL_INITIALISER(nicol_polarization_element, NICOL_POLARIZATION_ELEMENT_INIT)

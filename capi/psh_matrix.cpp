@@ -5,6 +5,7 @@
 
 #include "harmonics/operator.hpp"
 #include "harmonics/product.hpp"
+#include "initialiser.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;
@@ -164,3 +165,5 @@ nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t order_between
         std::ranges::copy(both.data(), to.begin());
     });
 }
+
+NICOL_INITIALISER(nicol_psh_mueller_field, NICOL_PSH_MUELLER_FIELD_INIT)

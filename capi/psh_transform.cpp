@@ -6,6 +6,7 @@
 
 #include "handles.hpp"
 #include "harmonics/transform.hpp"
+#include "initialiser.hpp"
 #include "psh_arguments.hpp"
 
 namespace nicol::capi {
@@ -151,3 +152,5 @@ nicol_result nicol_psh_synthesize(nicol_psh_transform transform, uint64_t vector
             plan.synthesize(from.subspan(v * size, size), to.subspan(v * grid, grid));
     });
 }
+
+NICOL_INITIALISER(nicol_psh_sampling, NICOL_PSH_SAMPLING_INIT)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Render options by what an image is for.
 #include "boundary.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol::capi;
 
@@ -33,3 +34,5 @@ nicol_result nicol_render_options_set_quality(nicol_render_options* options, nic
         write_struct(options, out, "options");
     });
 }
+
+NICOL_INITIALISER(nicol_render_options, NICOL_RENDER_OPTIONS_INIT)

@@ -16,6 +16,7 @@
 #include "camera.hpp"
 #include "gradient_room.hpp"
 #include "handles.hpp"
+#include "initialiser.hpp"
 #include "scene/path_depth.hpp"
 #include "stokes_rows.hpp"
 
@@ -387,3 +388,5 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         *job = handle;
     });
 }
+
+NICOL_INITIALISER(nicol_filter, NICOL_FILTER_INIT)

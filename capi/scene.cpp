@@ -9,6 +9,7 @@
 #include "camera.hpp"
 #include "handles.hpp"
 #include "import/load_scene.hpp"
+#include "initialiser.hpp"
 #include "scene/path_depth.hpp"
 #include "scene/rotation.hpp"
 
@@ -384,3 +385,6 @@ nicol_result nicol_scene_retain(nicol_scene scene) {
 nicol_result nicol_scene_release(nicol_scene scene) {
     return release(scene);
 }
+
+NICOL_INITIALISER(nicol_instance, NICOL_INSTANCE_INIT)
+NICOL_INITIALISER(nicol_scene_file, NICOL_SCENE_FILE_INIT)

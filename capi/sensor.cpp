@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "element.hpp"
+#include "initialiser.hpp"
 #include "input_file.hpp"
 #include "nicol_files.h"
 #include "planes.hpp"
@@ -237,3 +238,7 @@ nicol_result nicol_file_combine_angles(const char* at_0, const char* at_45, cons
         write_exr(to, read_angle_pictures(files));
     });
 }
+
+NICOL_INITIALISER(nicol_sensor, NICOL_SENSOR_INIT)
+NICOL_INITIALISER(nicol_stokes_image, NICOL_STOKES_IMAGE_INIT)
+NICOL_INITIALISER(nicol_raw_image, NICOL_RAW_IMAGE_INIT)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Statistics of renders.
 #include "handles.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -69,3 +70,5 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         write_struct(statistics, out, "statistics");
     });
 }
+
+NICOL_INITIALISER(nicol_statistics, NICOL_STATISTICS_INIT)

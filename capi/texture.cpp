@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "assets.hpp"
+#include "initialiser.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -155,3 +156,6 @@ nicol_result nicol_texture_retain(nicol_texture texture) {
 nicol_result nicol_texture_release(nicol_texture texture) {
     return release(texture);
 }
+
+NICOL_INITIALISER(nicol_texture_image, NICOL_TEXTURE_IMAGE_INIT)
+NICOL_INITIALISER(nicol_texture_options, NICOL_TEXTURE_OPTIONS_INIT)
