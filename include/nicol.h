@@ -1862,7 +1862,8 @@ typedef struct nicol_statistics {
     uint64_t response_bytes;        /* bytes of material tables */
     uint64_t visibility_bytes;      /* bytes of visibility by direction at each vertex */
     uint64_t transfer_bytes;        /* bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
-                                       the surfaces that pixels show, and the image, unless OpenGL draws it */
+                                       focused light, the surfaces that pixels show, and the image, unless OpenGL draws
+                                       it */
     uint64_t buffer_bytes;          /* bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders */
     uint64_t texture_bytes;         /* bytes of OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* rays from the camera: of the reference method, or those that found the triangles
@@ -1887,8 +1888,10 @@ typedef struct nicol_statistics {
     uint64_t vertices_added;        /* vertices that the bake added by splitting triangles, and their small reserve, recomputed or kept */
     uint64_t local_lights;          /* local lights: the scene's, each instance that emits light, and lights_split */
     uint64_t lights_split;          /* extracted lights that were taken out of the environment */
-    uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights */
-    double light_ms;                /* part of shade_ms for local lights and their shadows */
+    uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights, and of the light
+                                       that glass and mirrors focus */
+    double light_ms;                /* part of shade_ms for local lights, their shadows and the light that glass and mirrors
+                                       focus, which is found anew when lights or surfaces change */
     uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass, mirrors or narrow lobes of
                                        metal, by threads; 0 if compute shaders shaded: smooth surfaces then mirror
                                        lights alone, no surfaces, and narrow lobes the light at vertices */

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "draw/visibility_buffer.hpp"
@@ -12,87 +11,10 @@
 #include "shading/pixel_places.hpp"
 #include "shading/tangent_rotation.hpp"
 #include "surfaces/local_lights.hpp"
-#include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
 namespace {
-
-bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
-    const auto in_b = [&b](std::uint32_t v) { return v == b.x || v == b.y || v == b.z; };
-    return in_b(a.x) || in_b(a.y) || in_b(a.z);
-}
-
-// Samples of one smooth surface in one pixel.
-struct Patch {
-    std::array<std::uint32_t, kMostPixelSamples> triangles;
-    std::array<glm::vec2, kMostPixelSamples> at;  // relative to the pixel's centre
-    std::size_t samples = 0;
-
-    void add(std::uint32_t triangle, const glm::vec2& place) {
-        triangles[samples] = triangle;
-        at[samples++] = place;
-    }
-};
-
-// Returns the sides of a rectangle with the area of a patch, and stretched as its samples are. mean: of the
-// samples' positions. weight: the patch's part of the pixel.
-glm::vec2 size_of(const Patch& patch, const glm::vec2& mean, float weight) {
-    glm::vec2 squares(1 / 64.0F);  // of the least distance between two samples along an axis
-    for (const glm::vec2& at : std::span(patch.at).first(patch.samples))
-        squares += 12.0F / static_cast<float>(patch.samples) * (at - mean) * (at - mean);
-    const float stretch = std::sqrt(std::sqrt(squares.x / squares.y));
-    return std::sqrt(weight) * glm::vec2(stretch, 1 / stretch);
-}
-
-// Returns the point of a patch. range: the previous patch's range, which is often the same; becomes this
-// patch's range.
-PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pixel, std::size_t& range) {
-    glm::vec2 mean(0);
-    for (const glm::vec2& at : std::span(patch.at).first(patch.samples)) mean += at;
-    mean /= static_cast<float>(patch.samples);
-    // The mean may lie between triangles, so the triangle of the nearest sample represents the patch.
-    std::size_t nearest = 0;
-    for (std::size_t s = 1; s < patch.samples; ++s) {
-        const glm::vec2 d = patch.at[s] - mean;
-        const glm::vec2 least = patch.at[nearest] - mean;
-        if (glm::dot(d, d) < glm::dot(least, least)) nearest = s;
-    }
-    const float weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size());
-    return {surface_point(input, patch.triangles[nearest], pixel, range), weight, mean,
-            size_of(patch, mean, weight), false};
-}
-
-// Returns the unit geometric normal of a triangle, 0 without an area.
-glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const std::vector<glm::vec3>& at = geometry.positions;
-    const glm::uvec3& t = geometry.triangles[triangle];
-    const glm::vec3 normal = glm::cross(at[t.y] - at[t.x], at[t.z] - at[t.x]);
-    const float length = glm::length(normal);
-    return length > 0 ? normal / length : glm::vec3(0);
-}
-
-// Divides a surface into parts, because the mean position of samples on both sides of an edge says little of
-// highlights, and nothing of lights that only one side sees. Returns the number of parts.
-std::size_t divide(const Patch& patch, const WorldGeometry& geometry,
-                   std::array<Patch, kMostPixelSamples>& parts) {
-    constexpr float most_bend = 0.05F;  // radians between the facets of a part and its first one
-    const std::span triangles = std::span(patch.triangles).first(patch.samples);
-    if (std::ranges::count(triangles, triangles.front()) == std::ssize(triangles)) return 1;
-    std::array<glm::vec3, kMostPixelSamples> facets;
-    std::size_t count = 0;
-    for (std::size_t s = 0; s < patch.samples; ++s) {
-        const glm::vec3 facet = facet_of(geometry, patch.triangles[s]);
-        std::size_t part = 0;
-        while (part < count && glm::distance(facets[part], facet) > most_bend) ++part;
-        if (part == count) {
-            facets[count] = facet;
-            parts[count++].samples = 0;
-        }
-        parts[part].add(patch.triangles[s], patch.at[s]);
-    }
-    return count;
-}
 
 PixelSteps steps_of(const PointImage& image) {
     const Projection& p = image.projection;
@@ -218,48 +140,6 @@ private:
 
 }  // namespace
 
-void PixelPoints::list(const PixelInput& input, std::size_t first, std::size_t last,
-                       std::span<float> coverage) {
-    whole.clear();
-    parts.clear();
-    const bool lit = input.local_lights != nullptr && input.local_lights->lighting().any_source();
-    const std::span offsets = input.hits.offsets();
-    const std::span triangles(input.geometry.triangles);
-    const float weight = 1.0F / static_cast<float>(offsets.size());
-    std::array<Patch, kMostPixelSamples> patches, bent;
-    std::size_t range = 0;
-    for (std::size_t i = first; i < last; ++i) {
-        std::size_t count = 0;
-        std::size_t covered = 0;
-        for (std::size_t s = 0; s < offsets.size(); ++s) {
-            const std::optional<Hit> hit = input.hits.at(s, i);
-            if (!hit) continue;
-            ++covered;
-            if (!hit->front) continue;
-            if (input.smooth != nullptr && input.smooth->of(hit->triangle) == Smoothness::boundary) continue;
-            const auto same = [&](const Patch& patch) {
-                const std::uint32_t other = patch.triangles[patch.samples - 1];
-                return other == hit->triangle || share_corner(triangles[other], triangles[hit->triangle]);
-            };
-            std::size_t own = 0;
-            while (own < count && !same(patches[own])) ++own;
-            if (own == count) patches[count++].samples = 0;
-            patches[own].add(hit->triangle, glm::vec2(offsets[s]));
-        }
-        coverage[i - first] = weight * static_cast<float>(covered);
-        for (const Patch& patch : std::span(patches).first(count)) {
-            whole.push_back(point_of(patch, input, i, range));
-            const std::size_t sides = lit ? divide(patch, input.geometry, bent) : 1;
-            whole.back().bent = sides > 1;
-            for (std::size_t side = 0; sides > 1 && side < sides; ++side)
-                parts.push_back(point_of(bent[side], input, i, range));
-        }
-    }
-    for (std::vector<PixelPoint>* const list : {&whole, &parts})
-        if (!std::ranges::is_sorted(*list, {}, &PixelPoint::group))
-            std::ranges::stable_sort(*list, {}, &PixelPoint::group);
-}
-
 void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
                           std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
@@ -279,28 +159,6 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mir
         block.turn(turned);
         for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(turned, i);
     }
-}
-
-glm::dvec2 PixelPoint::on_image_plane(const Projection& projection, int width, int height) const {
-    const auto columns = static_cast<std::uint32_t>(width);
-    const std::uint32_t column = pixel % columns, row = pixel / columns;
-    return nicol::on_image_plane(projection, width, height, column + 0.5 + static_cast<double>(at.x),
-                                 row + 0.5 + static_cast<double>(at.y));
-}
-
-SurfacePoint surface_point(const TransferInput& input, std::uint32_t triangle, std::size_t pixel,
-                           std::size_t& range) {
-    const glm::uvec3& corners = input.geometry.triangles[triangle];
-    const std::vector<VertexRange>& ranges = input.geometry.ranges;
-    if (corners.x < ranges[range].first || corners.x >= ranges[range].last)
-        range = range_of(input.geometry, corners.x);
-    const bool occluded = input.visibility != nullptr && !(input.visibility->unoccluded(corners.x) &&
-                                                           input.visibility->unoccluded(corners.y) &&
-                                                           input.visibility->unoccluded(corners.z));
-    return {.range = static_cast<std::uint32_t>(range),
-            .occluded = occluded ? 1U : 0U,
-            .triangle = triangle,
-            .pixel = static_cast<std::uint32_t>(pixel)};
 }
 
 // Takes the first points of one group, and returns them.

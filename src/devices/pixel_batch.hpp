@@ -70,11 +70,20 @@ struct PixelPoints {
     std::vector<PixelPoint> whole;
     /// Parts of bent surfaces: samples whose triangles have almost the same geometric normal.
     std::vector<PixelPoint> parts;
+    /// Whether rays may begin at a sample, see SmoothChains.
+    bool followed = false;
 
     /// Lists the points of pixels first <= i < last. Also writes the fraction of the samples that show a
     /// surface, its back included, to coverage[i - first]. Points of smooth boundaries (input.smooth) are
     /// left out. No surface is bent without local lights. The input's hits must be on the host.
     void list(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
+
+private:
+    /// Does so for pixels of one sample.
+    void list_single(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
+    /// Lists the patches of samples, and their parts.
+    void list_patches(const PixelInput& input, std::size_t first, std::size_t last,
+                      std::span<float> coverage);
 };
 
 /// Image of the points.

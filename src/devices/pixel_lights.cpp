@@ -55,7 +55,8 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
     const bool mirrors = !batch.in_pixels().empty() && lighting_.needs_pixels(*range.material);
-    const bool spread = !batch.in_pixels().empty() && shadowed;
+    const bool casts = lighting_.needs_origins(shadowed);
+    const bool spread = casts && !batch.in_pixels().empty() && shadowed;
     std::optional<BouncedLight> bounced;
     const bool followed = input_.smooth != nullptr && input_.smooth->of(any.triangle) == Smoothness::lobes;
     if (input_.bounced != nullptr && shadowed && !followed && batch.bounces() &&
@@ -81,9 +82,11 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         for (std::size_t i = 0; i < count; ++i) {
             of_facets[i] = vector_at(facets, i);
             of_triangles[i] = input_.geometry.triangles[shown[i]];
-            const glm::vec3 lift = static_cast<float>(ray_offset(corners_at(corners, i))) * of_facets[i];
-            origins[i] = surface.positions[i] + lift;
-            if (spread) in_pixels[i] = part_of(batch.in_pixels()[first + i], of_triangles[i], lift);
+            if (casts) {
+                const glm::vec3 lift = static_cast<float>(ray_offset(corners_at(corners, i))) * of_facets[i];
+                origins[i] = surface.positions[i] + lift;
+                if (spread) in_pixels[i] = part_of(batch.in_pixels()[first + i], of_triangles[i], lift);
+            }
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
         }
         MirroredPixels mirrored;
@@ -121,7 +124,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                 .tangents = std::span(tangents).first(anisotropic ? count : 0),
                                 .facets = std::span(of_facets).first(turned ? count : 0),
                                 .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
-                                .origins = std::span(origins).first(count),
+                                .origins = std::span(origins).first(casts ? count : 0),
                                 .mirrored = mirrors ? &mirrored : nullptr,
                                 .parts = std::span(parts).first(mirrors && turned ? count : 0),
                                 .places = spread ? &places : nullptr,

@@ -2,6 +2,7 @@
 #include "geometry/ray_scene.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -92,11 +93,22 @@ embree::Ray query_of(const Ray& ray, double scale) {
     return query;
 }
 
-// Returns whether rays are faster as one beam; those that facets scatter are not.
+// Least cosine between the first and any ray of a beam. Rays that facets scatter are not faster as one beam.
+constexpr double kBeam = 0.95;
+
 bool coherent(std::span<const Ray> rays) {
-    constexpr double least_cosine = 0.95;
     return std::ranges::all_of(
-        rays, [&](const Ray& ray) { return glm::dot(ray.direction, rays.front().direction) > least_cosine; });
+        rays, [&](const Ray& ray) { return glm::dot(ray.direction, rays.front().direction) > kBeam; });
+}
+bool coherent(const RayPacket& packet, std::uint16_t active) {
+    const int first = std::countr_zero(active);
+    const auto x = packet.direction_x[first], y = packet.direction_y[first], z = packet.direction_z[first];
+    std::array<float, RayPacket::kRays> cosines;
+    for (std::size_t i = 0; i < cosines.size(); ++i)
+        cosines[i] = x * packet.direction_x[i] + y * packet.direction_y[i] + z * packet.direction_z[i];
+    for (std::size_t i = 0; i < cosines.size(); ++i)
+        if ((active >> i & 1) != 0 && !(cosines[i] > static_cast<float>(kBeam))) return false;
+    return true;
 }
 
 }  // namespace
@@ -278,6 +290,42 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<std::optional<RayH
         for (std::size_t i = 0; i < some.size(); ++i)
             hits[first + i] = hit_of(query.hit(i), query.ray.tfar[i], some[i]);
     }
+}
+
+std::uint16_t RayScene::intersect(const RayPacket& packet, std::uint16_t active, HitPacket& hits) const {
+    if (active == 0) return 0;
+    constexpr std::size_t count = RayPacket::kRays;
+    const auto scale = static_cast<float>(scale_);
+    embree::RayHit16 query{};
+    std::array<int, count> valid;
+    for (std::size_t i = 0; i < count; ++i) {
+        query.ray.org_x[i] = scale * packet.origin_x[i];
+        query.ray.org_y[i] = scale * packet.origin_y[i];
+        query.ray.org_z[i] = scale * packet.origin_z[i];
+        query.ray.tfar[i] = scale * packet.farthest[i];
+        valid[i] = (active >> i & 1) != 0 ? -1 : 0;
+    }
+    query.ray.dir_x = packet.direction_x;
+    query.ray.dir_y = packet.direction_y;
+    query.ray.dir_z = packet.direction_z;
+    query.ray.mask.fill(~0U);
+    query.geometry.fill(embree::kNoGeometry);
+    query.instance.fill(embree::kNoGeometry);
+    embree_->library.intersect(embree_->scene.get(), valid, query,
+                               parts_.empty() && coherent(packet, active));
+    unsigned found = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Ray ray{.direction = {packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]}};
+        const std::optional<RayHit> hit = hit_of(query.hit(i), query.ray.tfar[i], ray);
+        if (!hit) continue;
+        found |= 1U << i;
+        hits.surface[i] = hit->surface;
+        hits.triangle[i] = hit->triangle;
+        hits.distance[i] = static_cast<float>(hit->distance);
+        hits.b1[i] = static_cast<float>(hit->b1);
+        hits.b2[i] = static_cast<float>(hit->b2);
+    }
+    return static_cast<std::uint16_t>(found);
 }
 
 std::optional<RayHit> RayScene::hit_of(const embree::Hit& found, float length, const Ray& ray) const {

@@ -86,6 +86,12 @@ struct alignas(64) RayPacket {
     std::array<float, kRays> farthest;
 };
 
+/// First hits of a packet's rays, as in RayHit.
+struct alignas(64) HitPacket {
+    std::array<float, RayPacket::kRays> distance, b1, b2;
+    std::array<std::uint32_t, RayPacket::kRays> surface, triangle;
+};
+
 class RayScene;
 
 /// A scene of one surface as part of another scene.
@@ -119,6 +125,12 @@ public:
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
     /// Sets hits[i] to the first hit of rays[i]. Rays close to each other are traced faster than one by one.
     void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
+
+    /// Finds the first hits of the rays whose bit in `active` is set, and returns the bits of those that hit
+    /// something. Rays close to each other are traced faster. Each origin must lie beside the surface that
+    /// the ray leaves.
+    [[nodiscard]] std::uint16_t intersect(const RayPacket& packet, std::uint16_t active,
+                                          HitPacket& hits) const;
 
     /// Returns whether anything lies on a ray, nearer than its distance `farthest`. The ray begins at its
     /// origin, and ends 1e-4 of `farthest` and kRayOffset before that distance, so that an area light's own

@@ -4,14 +4,11 @@
 #include "progress.hpp"
 
 namespace nicol {
-namespace {
 
 int most_extracted(const RenderOptions& options) {
     if (options.method != Method::factored) return 0;
     return options.split_lights == kSplitAutomatic ? kMaxSplitLights : options.split_lights;
 }
-
-}  // namespace
 
 void LightSplit::update(const EnvironmentPtr& environment, const RenderOptions& options,
                         Statistics& statistics) {

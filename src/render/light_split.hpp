@@ -9,6 +9,9 @@
 
 namespace nicol {
 
+/// Returns the largest number of lights that are extracted.
+[[nodiscard]] int most_extracted(const RenderOptions& options);
+
 class LightSplit {
 public:
     /// Splits the environment (the first step of project) if the environment or the options have changed. A

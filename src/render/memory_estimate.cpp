@@ -19,6 +19,8 @@
 #include "harmonics/psh.hpp"
 #include "methods/bounces.hpp"
 #include "render/light_projection.hpp"
+#include "render/light_split.hpp"
+#include "surfaces/photon_paths.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -86,6 +88,24 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
+// Returns the bytes of light that smooth surfaces focus.
+std::uint64_t focused(const Scene& scene, const RenderOptions& options) {
+    if (!bounces(options)) return 0;
+    const auto surfaces = static_cast<std::size_t>(std::ranges::count_if(
+        scene.instances(), [](const Instance& instance) { return focuses_light(*instance.material); }));
+    if (surfaces == 0) return 0;
+    const auto emitting = static_cast<std::size_t>(std::ranges::count_if(
+        scene.instances(), [](const Instance& instance) { return instance.emission != nullptr; }));
+    const auto channels = static_cast<std::size_t>(scene.channels());
+    std::uint64_t bytes = 0;
+    const auto add = [&](std::size_t sources) {
+        if (sources > 0) bytes += most_focused_bytes(surfaces, sources, channels);
+    };
+    add(scene.lights().size() + emitting);
+    if (scene.distant_light() != nullptr) add(static_cast<std::size_t>(most_extracted(options)));
+    return bytes;
+}
+
 // Returns the location of hits. Threads shade local lights, which may include the environment's extracted
 // lights; the device draws elements.
 VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options) {
@@ -127,6 +147,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         in_world + size.triangles * 3 * size.corner + size.vertices * (1 + channels * sizeof(glm::vec4));
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
     if (size.vertices == 0) return estimate;
+    estimate.transfer += focused(scene, options);
 
     // An order out of range is refused by the render.
     const int order = std::clamp(options.order_low, 0, kMaxRenderOrder);
@@ -194,17 +215,18 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
     vertices_ = size_of(scene).vertices;
     if (!saves()) return;
     image_ = image_memory(scene, options, width, height);
-    checking_.run(
-        scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options), options.method,
-        options.order_low, options.order_high, options.high_orders, options.shadows,
-        options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_, [&] {
-            estimate_ = estimate_memory(scene, options);
-            const std::uint64_t needed = estimate_.total() + image_;
-            if (needed <= bytes_) return;
-            throw Error(ErrorCode::out_of_memory,
-                        "the scene and its image need up to " + std::to_string(needed) +
-                            " bytes at run time; the context's memory_limit is " + std::to_string(bytes_));
-        });
+    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options),
+                  options.method, options.order_low, options.order_high, options.high_orders, options.shadows,
+                  options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_,
+                  focused(scene, options), [&] {
+                      estimate_ = estimate_memory(scene, options);
+                      const std::uint64_t needed = estimate_.total() + image_;
+                      if (needed <= bytes_) return;
+                      throw Error(ErrorCode::out_of_memory,
+                                  "the scene and its image need up to " + std::to_string(needed) +
+                                      " bytes at run time; the context's memory_limit is " +
+                                      std::to_string(bytes_));
+                  });
     share_.reserve(estimate_.visibility + estimate_.transfer + image_);
 }
 

@@ -79,9 +79,9 @@ private:
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
     // Inputs: geometry, channels, components of the light, whether it bounces, the options that matter, the
-    // image's bytes.
+    // bytes of the image and of focused light.
     Stage<Version, int, LightKind, bool, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
-          std::uint64_t>
+          std::uint64_t, std::uint64_t>
         checking_;
 };
 

@@ -137,7 +137,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays_, {follows_rays && options.shadows ? &smooth_ : nullptr, bounces},
-        lighting, run.statistics);
+        lighting, run);
     rays_.release();
     sampled_ = local_lights_.any() || follows_smooth(options, executor);
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);

@@ -207,10 +207,11 @@ void Renderer::draw_within_budget(const Scene& scene, const Projection& projecti
     statistics.light_samples = afforded.light_samples;
     statistics.bsdf_samples = afforded.bsdf_samples;
     statistics.order_tolerance = afforded.choose_orders ? afforded.tolerance * afforded.order_slack : 0;
-    budget_.spend({.whole = whole - statistics.project_ms - statistics.bake_ms,
+    const double focus = statistics.focus_ms;
+    budget_.spend({.whole = whole - statistics.project_ms - statistics.bake_ms - focus,
                    .relight = statistics.relight_ms,
-                   .shade = statistics.shade_ms,
-                   .lights = statistics.light_ms,
+                   .shade = statistics.shade_ms - focus,
+                   .lights = statistics.light_ms - focus,
                    .at_pixels = pipeline_.shaded_pixels()});
 }
 

@@ -21,7 +21,8 @@ struct Effort {
     bool operator==(const Effort&) const = default;
 };
 
-/// Times of a frame in milliseconds, without project and bake, which do not repeat.
+/// Times of a frame in milliseconds, without those that no effort changes: project, bake and the light that
+/// smooth surfaces focus.
 struct FrameTime {
     double whole = 0;
     double relight = 0;      ///< part of whole

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/ext/vector_int3_sized.hpp>
@@ -21,6 +22,11 @@ namespace {
 
 // Number of neighbours that the disc of a photon reaches to. More of them blur caustics, fewer leave noise.
 constexpr std::size_t kNeighbours = 48;
+
+// Cells that a photon reaches into, at most.
+constexpr std::size_t kMostCells = 8;
+// Sizes of cells that are tried.
+constexpr int kCoarsest = 8;
 
 // Smallest cosine between the mean direction of the light and the normal: irradiance is divided by it.
 constexpr float kGrazing = 0.05F;
@@ -137,28 +143,63 @@ void FocusedLight::find_radii() {
     });
 }
 
-void FocusedLight::fill_cells() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> entries;
-    entries.reserve(4 * photons_.size());
+std::vector<FocusedLight::Entry> FocusedLight::entries(int coarser) {
+    std::vector<Entry> out;
+    out.reserve(kMostCells * photons_.size());
+    levels_.clear();
     for (std::uint32_t i = 0; i < photons_.size(); ++i) {
         // The sphere around the photon lies in eight cells of at least twice its radius.
-        const int level = std::ilogb(radii_[i]) + 2;
+        const int level = std::ilogb(radii_[i]) + 2 + coarser;
         if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
         const Cell low = cell_of(photons_[i].position - radii_[i], level);
         const Cell high = cell_of(photons_[i].position + radii_[i], level);
         for (std::int64_t x = low.x; x <= high.x; ++x)
             for (std::int64_t y = low.y; y <= high.y; ++y)
                 for (std::int64_t z = low.z; z <= high.z; ++z)
-                    entries.emplace_back(cell_key({x, y, z}, level), i);
+                    out.emplace_back(cell_key({x, y, z}, level), i);
     }
-    std::ranges::sort(entries);
-    in_cells_.reserve(entries.size());
-    for (const auto& [key, photon] : entries) {
+    std::ranges::sort(out);
+    return out;
+}
+
+void FocusedLight::fill_cells() {
+    const auto key = [](const Entry& entry) { return entry.first; };
+    std::vector<Entry> all;
+    std::size_t cells = 0;
+    // Neighbours share cells. Where they do not, coarser cells keep the memory small.
+    for (int coarser = 0; coarser < kCoarsest; ++coarser) {
+        all = entries(coarser);
+        cells = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            cells += i == 0 || key(all[i]) != key(all[i - 1]) ? 1 : 0;
+        if (cells <= photons_.size()) break;
+    }
+    buckets_.assign(std::bit_ceil(2 * cells), {});
+    in_cells_.reserve(all.size());
+    for (const auto& [of, photon] : all) {
         const auto place = static_cast<std::uint32_t>(in_cells_.size());
         in_cells_.push_back(photon);
-        const auto cell = cells_.try_emplace(key, place, place).first;
-        cell->second.second = place + 1;
+        Bucket& bucket = buckets_[place_of(of)];
+        if (bucket.first == bucket.last) bucket = {.key = of, .first = place, .last = place};
+        bucket.last = place + 1;
     }
+}
+
+std::size_t FocusedLight::place_of(std::uint64_t key) const {
+    std::size_t place = key & (buckets_.size() - 1);
+    while (buckets_[place].first != buckets_[place].last && buckets_[place].key != key)
+        place = (place + 1) & (buckets_.size() - 1);
+    return place;
+}
+
+std::size_t FocusedLight::bytes() const noexcept {
+    return photons_.size() * sizeof(Photon) + (powers_.size() + radii_.size()) * sizeof(float) +
+           in_cells_.size() * sizeof(std::uint32_t) + buckets_.size() * sizeof(Bucket);
+}
+
+std::size_t FocusedLight::most_bytes(std::size_t photons, std::size_t channels) {
+    return photons * (sizeof(Photon) + (channels + 1) * sizeof(float) + kMostCells * sizeof(std::uint32_t) +
+                      4 * sizeof(Bucket));
 }
 
 void FocusedLight::gather(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
@@ -173,9 +214,8 @@ void FocusedLight::gather(std::span<const glm::vec3> positions, std::span<const 
         sums.assign(channels_, 0);
         glm::vec3 towards(0);
         for (const int level : levels_) {
-            const auto cell = cells_.find(cell_key(cell_of(positions[i], level), level));
-            if (cell == cells_.end()) continue;
-            for (std::uint32_t k = cell->second.first; k < cell->second.second; ++k) {
+            const Bucket& cell = buckets_[place_of(cell_key(cell_of(positions[i], level), level))];
+            for (std::uint32_t k = cell.first; k < cell.last; ++k) {
                 const std::uint32_t p = in_cells_[k];
                 const Photon& photon = photons_[p];
                 const glm::vec3 way = positions[i] - photon.position;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -34,12 +33,26 @@ public:
                 LaneLight& out) const;
 
     [[nodiscard]] std::size_t photons() const noexcept { return photons_.size(); }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+    /// Returns the largest number of bytes for so many photons.
+    [[nodiscard]] static std::size_t most_bytes(std::size_t photons, std::size_t channels);
 
 private:
-    using Range = std::pair<std::uint32_t, std::uint32_t>;
+    /// Photons that reach into a cell of space: in_cells_[first] to in_cells_[last - 1]. Both are equal:
+    /// none.
+    struct Bucket {
+        std::uint64_t key;
+        std::uint32_t first, last;
+    };
+    using Entry = std::pair<std::uint64_t, std::uint32_t>;  // key of a cell, index of a photon
 
     void find_radii();
     void fill_cells();
+    /// Returns the photons of each cell, by key. coarser: binary exponent of the cells' sizes, beyond what
+    /// the photons need.
+    [[nodiscard]] std::vector<Entry> entries(int coarser);
+    /// Returns the index of a cell's bucket, or of an empty one.
+    [[nodiscard]] std::size_t place_of(std::uint64_t key) const;
 
     std::vector<Photon> photons_;
     std::vector<float> powers_;
@@ -47,7 +60,7 @@ private:
     std::vector<float> radii_;
     std::vector<int> levels_;  // binary exponents of the sizes of cells
     std::vector<std::uint32_t> in_cells_;
-    std::unordered_map<std::uint64_t, Range> cells_;  // ranges of in_cells_
+    std::vector<Bucket> buckets_;  // a power of two; each at the place of its key or the next free one
 };
 
 }  // namespace nicol

@@ -9,6 +9,7 @@
 #include "material/spatial_variation.hpp"
 #include "shading/lit_batch.hpp"
 #include "shading/pixel_places.hpp"
+#include "simd/lane_transpose.hpp"
 
 namespace nicol {
 namespace {
@@ -102,8 +103,7 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
     }
     if (environment != nullptr) batch.add_environment(*environment);
     for (std::size_t c = 0; c < out.size(); ++c)
-        for (std::size_t i = 0; i < points.positions.size(); ++i)
-            out[c][i] += glm::vec4(sums[c][0][i], sums[c][1][i], sums[c][2][i], sums[c][3][i]);
+        add_fours(sums[c].data(), points.positions.size(), out[c].data());
     return batch.tally();
 }
 

@@ -39,7 +39,8 @@ struct LitPoints {
     std::span<const glm::vec3> facets;
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
-    std::span<const glm::vec3> origins;  ///< start points of shadow rays
+    /// Start points of shadow rays, see LocalLighting::needs_origins(). Empty: no rays begin.
+    std::span<const glm::vec3> origins;
     /// What the points' pixels see mirrored, see needs_pixels(). Null: points cover nothing.
     const MirroredPixels* mirrored = nullptr;
     /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
@@ -119,6 +120,12 @@ public:
     /// Returns whether the material reflects differently from place to place within a pixel, so that
     /// LitPoints::mirrored has an effect.
     [[nodiscard]] bool needs_pixels(const Material& material) const;
+
+    /// Returns whether rays may begin at points. shadowed: LitPoints::shadowed.
+    [[nodiscard]] bool needs_origins(bool shadowed) const noexcept {
+        return (rays_ != nullptr && (shadowed || lights_.glass != nullptr)) ||
+               lights_.before_mirrors != nullptr || lights_.any_source();
+    }
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. `out` holds the light that the points reflect without. The noise is estimated from the

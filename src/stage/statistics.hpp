@@ -15,16 +15,18 @@ struct RenderWork {
     double relight_ms = 0;
     double shade_ms = 0;
     double light_ms = 0;   ///< part of shade_ms: local lights and their shadows
+    double focus_ms = 0;   ///< part of light_ms: light that smooth surfaces focus
     double bounce_ms = 0;  ///< part of relight_ms: light that surfaces reflect to each other
     double draw_ms = 0;
     double observe_ms = 0;
     double trace_ms = 0;  ///< time of the reference method
     /// Camera rays of the reference method, and those that found the surfaces at pixels; 0: drawn.
     std::uint64_t camera_rays = 0;
-    std::uint64_t shadow_rays = 0;         ///< shadow rays of the reference method
-    std::uint64_t bake_rays = 0;           ///< rays from vertices, for the visibility of the environment
-    std::uint64_t bake_rays_skipped = 0;   ///< rays of baked points whose result was known without
-    std::uint64_t light_rays = 0;          ///< rays from shading points to local lights
+    std::uint64_t shadow_rays = 0;        ///< shadow rays of the reference method
+    std::uint64_t bake_rays = 0;          ///< rays from vertices, for the visibility of the environment
+    std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points whose result was known without
+    /// Rays from shading points to local lights, and of light that smooth surfaces focus.
+    std::uint64_t light_rays = 0;
     std::uint64_t light_rays_skipped = 0;  ///< rays to lights that add next to nothing
     std::uint64_t smooth_rays = 0;         ///< rays of pixels that show smooth surfaces
     std::uint64_t lights_projected = 0;    ///< environments projected to coefficients
@@ -92,10 +94,10 @@ struct Statistics : RenderWork {
 };
 
 inline RenderWork& RenderWork::operator+=(const RenderWork& other) {
-    constexpr std::array times{&RenderWork::project_ms, &RenderWork::bake_ms,  &RenderWork::bake_trace_ms,
-                               &RenderWork::relight_ms, &RenderWork::shade_ms, &RenderWork::light_ms,
-                               &RenderWork::bounce_ms,  &RenderWork::draw_ms,  &RenderWork::observe_ms,
-                               &RenderWork::trace_ms};
+    constexpr std::array times{&RenderWork::project_ms, &RenderWork::bake_ms,   &RenderWork::bake_trace_ms,
+                               &RenderWork::relight_ms, &RenderWork::shade_ms,  &RenderWork::light_ms,
+                               &RenderWork::focus_ms,   &RenderWork::bounce_ms, &RenderWork::draw_ms,
+                               &RenderWork::observe_ms, &RenderWork::trace_ms};
     constexpr std::array counts{
         &RenderWork::camera_rays,       &RenderWork::shadow_rays,      &RenderWork::bake_rays,
         &RenderWork::bake_rays_skipped, &RenderWork::light_rays,       &RenderWork::light_rays_skipped,

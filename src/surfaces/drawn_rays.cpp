@@ -46,6 +46,14 @@ void DrawnTriangles::intersect(std::span<const Ray> rays, std::span<std::optiona
         if (hit && hit->surface == 1) hit->triangle += one_sided_;
 }
 
+std::uint16_t DrawnTriangles::intersect(const RayPacket& packet, std::uint16_t active,
+                                        HitPacket& hits) const {
+    const std::uint16_t found = scene_->intersect(packet, active, hits);
+    for (std::size_t i = 0; i < RayPacket::kRays; ++i)
+        if ((found >> i & 1) != 0 && hits.surface[i] == 1) hits.triangle[i] += one_sided_;
+    return found;
+}
+
 std::shared_ptr<const DrawnTriangles> DrawnRays::get(const RefinedSurfaces& surfaces) {
     std::shared_ptr<const DrawnTriangles> triangles = shared_.lock();
     if (triangles && version_ == surfaces.version()) return triangles;

@@ -30,6 +30,10 @@ public:
     /// Sets hits[i] to the first hit of rays[i], of which many are traced faster than one by one.
     void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
 
+    /// Finds the first hits of a packet, as RayScene does, with the same triangles.
+    [[nodiscard]] std::uint16_t intersect(const RayPacket& packet, std::uint16_t active,
+                                          HitPacket& hits) const;
+
     [[nodiscard]] const std::shared_ptr<const RayScene>& scene() const noexcept { return scene_; }
 
 private:

@@ -45,7 +45,7 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 
 void LocalLights::update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
                          SurfaceRays& rays, const Followed& followed, const RenderOptions& options,
-                         Statistics& statistics) {
+                         RenderRun& run) {
     materials_.run(surfaces.version(), surfaces.material_version(), distant.sampled, [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
         const auto any = [&](const auto& is) {
@@ -98,16 +98,23 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                 lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
                                            static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
             lights.before_mirrors = before_mirrors;
-            if (smooth != nullptr) focus(scene, distant, surfaces, followed, lights);
+            if (smooth != nullptr) focus(scene, distant, surfaces, followed, lights, run);
             lighting.emplace(std::move(lights), rays_->get(), options.light_samples, negligible);
         });
+    count(run.statistics);
+}
+
+void LocalLights::count(Statistics& statistics) const {
     statistics.local_lights = lights_;
-    if (whole) statistics.response_bytes += filtered_->whole->bytes();
-    if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
+    const auto& [whole, rest] = *filtered_;
+    if (whole) statistics.response_bytes += whole->bytes();
+    if (rest && rest != whole) statistics.response_bytes += rest->bytes();
+    for (const auto& focused : {focused_, focused_extracted_})
+        if (focused) statistics.transfer_bytes += focused->bytes();
 }
 
 void LocalLights::focus(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                        const Followed& followed, LocalLighting::Lights& lights) {
+                        const Followed& followed, LocalLighting::Lights& lights, RenderRun& run) {
     const SmoothSurfaces& smooth = *followed.smooth;
     lights.glass = lights.glass_of_environment = smooth.glass();
     if (followed.events == 0 || !smooth.any()) {
@@ -118,18 +125,23 @@ void LocalLights::focus(const Scene& scene, const DistantLight& distant, const R
         return;
     }
     lights.glass = smooth.unbent_glass();
+    const Stopwatch watch;
     const PhotonScene photons{.geometry = surfaces.geometry(),
                               .smooth = smooth,
                               .events = followed.events,
                               .channels = static_cast<std::size_t>(scene.channels())};
     focusing_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                   surfaces.to_world(), smooth.version(), followed.events,
-                  [&] { focused_ = focused_light(photons, lights.local); });
+                  [&] { focused_ = focused_light(photons, lights.local, run); });
     focusing_extracted_.run(distant.extracted_lights, distant.rotation, scene.light_scale(), smooth.version(),
                             followed.events,
-                            [&] { focused_extracted_ = focused_light(photons, lights.extracted); });
+                            [&] { focused_extracted_ = focused_light(photons, lights.extracted, run); });
     lights.focused = focused_;
     lights.focused_extracted = focused_extracted_;
+    const double milliseconds = watch.milliseconds();
+    run.statistics.focus_ms += milliseconds;
+    run.statistics.light_ms += milliseconds;
+    run.statistics.shade_ms += milliseconds;
 }
 
 void LocalLights::find_vertex_origins(const RefinedSurfaces& surfaces) {

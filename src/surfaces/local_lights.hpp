@@ -14,7 +14,7 @@
 #include "scene/scene.hpp"
 #include "shading/local_lighting.hpp"
 #include "stage/options.hpp"
-#include "stage/statistics.hpp"
+#include "stage/workers.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/surface_rays.hpp"
@@ -42,9 +42,9 @@ public:
         int events;
     };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
+    /// Throws Error(cancelled).
     void update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                SurfaceRays& rays, const Followed& followed, const RenderOptions& options,
-                Statistics& statistics);
+                SurfaceRays& rays, const Followed& followed, const RenderOptions& options, RenderRun& run);
 
     /// Finds the start points of shadow rays beside vertices, if they are to be lit. any() must be true.
     void find_vertex_origins(const RefinedSurfaces& surfaces);
@@ -69,7 +69,9 @@ private:
                                                     const glm::dmat4& to_world);
     // Finds the light that smooth surfaces send to others.
     void focus(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-               const Followed& followed, LocalLighting::Lights& lights);
+               const Followed& followed, LocalLighting::Lights& lights, RenderRun& run);
+    // Adds the bytes of what is kept.
+    void count(Statistics& statistics) const;
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;

@@ -19,6 +19,7 @@
 #include "shading/boundary_split.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/weighted_terms.hpp"
+#include "surfaces/photon_rays.hpp"
 
 namespace nicol {
 namespace {
@@ -32,6 +33,8 @@ constexpr std::size_t kLeastPilots = kLanes;
 constexpr std::size_t kMostPilots = 1024;
 // Fewer photons in all have no density.
 constexpr std::size_t kLeastPhotons = 48;
+// Share of the time that pilots take, for reports of progress.
+constexpr double kPilotsShare = 0.1;
 
 /// Triangles of one smooth material.
 struct SmoothRange {
@@ -39,13 +42,6 @@ struct SmoothRange {
     std::vector<std::uint32_t> triangles;
     std::vector<double> areas;  // cumulative
 };
-
-// Returns whether paths go on from a surface: from smooth glass, and from mirrors without textures.
-bool bends_light(const Material& material) {
-    const SmoothBoundary* const boundary = material.smooth_boundary();
-    if (boundary != nullptr) return !boundary->rough();
-    return material.variation() == nullptr && material.terms() > 0 && is_mirror(material);
-}
 
 // Returns a point of [0, 1)^2: of a sequence that fills the square evenly, as if by chance of the seed.
 glm::vec2 sample_at(std::size_t index, std::uint32_t seed) {
@@ -74,14 +70,57 @@ struct Path {
     std::vector<double> powers;  // by channel
 };
 
+/// Result of some paths.
+struct Arrivals {
+    std::vector<Photon> photons;
+    std::vector<float> powers;  // [photon][channel]
+    std::uint64_t rays = 0;
+
+    void add(const Arrivals& other) {
+        photons.insert(photons.end(), other.photons.begin(), other.photons.end());
+        powers.insert(powers.end(), other.powers.begin(), other.powers.end());
+        rays += other.rays;
+    }
+};
+
+/// A smooth surface and a source that lights it.
+struct Pair {
+    const SmoothRange& smooth;
+    const LightSource& source;
+    std::uint32_t index;
+    double power;        // that pilots found to arrive
+    std::uint64_t rays;  // of pilots
+};
+
+/// Paths first <= i < last of `count` of a pair.
+struct Stretch {
+    const Pair* pair;
+    std::size_t first, last, count;
+};
+// Paths of a stretch, and stretches between two reports of progress.
+constexpr std::size_t kTogether = 16 * kLanes;
+constexpr std::size_t kBetweenReports = 64;
+
+// Calls body(i) for i < count on the run's threads, and reports progress as a part of `verb` between two
+// fractions. Throws Error(cancelled).
+template <class Body>
+void for_all(std::size_t count, std::size_t at_once, double from, double to, RenderRun& run,
+             const Body& body) {
+    for (std::size_t first = 0; first < count; first += at_once) {
+        const double part = static_cast<double>(first) / static_cast<double>(count);
+        run.progress.report("shade", from + (to - from) * part);
+        run.workers.run([&] { tbb::parallel_for(first, std::min(first + at_once, count), body); });
+    }
+}
+
 class Tracer {
 public:
     Tracer(const PhotonScene& scene, std::span<const LightSourcePtr> sources)
-        : scene_(scene), sources_(sources) {
+        : scene_(scene), sources_(sources), rays_(scene.geometry, scene.smooth) {
         const WorldGeometry& geometry = scene.geometry;
         for (const TriangleBatch& batch : triangle_batches(geometry)) {
             const VertexRange& range = geometry.ranges[batch.range];
-            if (!range.roles.casts_shadows || !range.roles.visible || !bends_light(*range.material)) continue;
+            if (!PhotonRays::blocks(range) || !focuses_light(*range.material)) continue;
             SmoothRange& smooth = smooth_.emplace_back(SmoothRange{batch.range, {}, {}});
             double area = 0;
             for (std::size_t t = batch.first; t < batch.last; ++t) {
@@ -97,58 +136,59 @@ public:
         }
     }
 
-    [[nodiscard]] std::shared_ptr<const FocusedLight> trace() const {
-        if (smooth_.empty() || sources_.empty()) return nullptr;
-        struct Pair {
-            const SmoothRange& smooth;
-            const LightSource& source;
-            std::uint32_t index;
-            double power = 0;
-        };
-        std::vector<Pair> pairs;
+    [[nodiscard]] std::shared_ptr<const FocusedLight> trace(RenderRun& run) const {
+        std::vector<Pair> pairs = lit_pairs(run);
         double all = 0;
-        for (const SmoothRange& smooth : smooth_)
-            for (const LightSourcePtr& source : sources_)
-                pairs.push_back({smooth, *source, static_cast<std::uint32_t>(pairs.size())});
-        const std::size_t pilots =
-            std::clamp(kPilots / pairs.size() / kLanes * kLanes, kLeastPilots, kMostPilots);
-        tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-            Pair& pair = pairs[i];
-            for_starts(pair.smooth, pair.source, pair.index, 0, pilots, pilots,
-                       [&](const Meeting&, const Path& path) {
-                           for (const double power : path.powers) pair.power += power;
-                       });
-        });
-        for (const Pair& pair : pairs) all += pair.power;
-        if (!(all > 0) || !std::isfinite(all)) return nullptr;
-        std::vector<Photon> photons;
-        std::vector<float> powers;
         for (const Pair& pair : pairs) {
-            if (!(pair.power > 0)) continue;
+            all += pair.power;
+            run.statistics.light_rays += pair.rays;
+        }
+        if (!(all > 0) || !std::isfinite(all)) return nullptr;
+        std::vector<Stretch> stretches;
+        for (const Pair& pair : pairs) {
             const auto count =
                 static_cast<std::size_t>(std::ceil(kPaths * pair.power / all / kLanes)) * kLanes;
-            constexpr std::size_t together = 16 * kLanes;
-            struct Part {
-                std::vector<Photon> photons;
-                std::vector<float> powers;
-            };
-            std::vector<Part> parts((count + together - 1) / together);
-            tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-                for_starts(pair.smooth, pair.source, pair.index, i * together,
-                           std::min(count, (i + 1) * together), count, [&](const Meeting& start, Path& path) {
-                               follow(start, path, parts[i].photons, parts[i].powers);
-                           });
-            });
-            for (const Part& part : parts) {
-                photons.insert(photons.end(), part.photons.begin(), part.photons.end());
-                powers.insert(powers.end(), part.powers.begin(), part.powers.end());
-            }
+            for (std::size_t first = 0; first < count; first += kTogether)
+                stretches.push_back({&pair, first, std::min(count, first + kTogether), count});
         }
-        if (photons.size() < kLeastPhotons) return nullptr;
-        return std::make_shared<const FocusedLight>(std::move(photons), std::move(powers), scene_.channels);
+        std::vector<Arrivals> parts(stretches.size());
+        for_all(stretches.size(), kBetweenReports, kPilotsShare, 1, run, [&](std::size_t i) {
+            for_starts(stretches[i], parts[i].rays,
+                       [&](const Meeting& start, Path& path) { follow(start, path, parts[i]); });
+        });
+        Arrivals arrived;
+        for (const Arrivals& part : parts) arrived.add(part);
+        run.statistics.light_rays += arrived.rays;
+        if (arrived.photons.size() < kLeastPhotons) return nullptr;
+        std::shared_ptr<const FocusedLight> out;
+        run.workers.run([&] {
+            out = std::make_shared<const FocusedLight>(std::move(arrived.photons), std::move(arrived.powers),
+                                                       scene_.channels);
+        });
+        return out;
     }
 
 private:
+    // Returns all pairs of a smooth surface and a source, with the power that pilots find.
+    [[nodiscard]] std::vector<Pair> lit_pairs(RenderRun& run) const {
+        std::vector<Pair> pairs;
+        pairs.reserve(smooth_.size() * sources_.size());
+        for (const SmoothRange& smooth : smooth_)
+            for (const LightSourcePtr& source : sources_)
+                pairs.push_back({smooth, *source, static_cast<std::uint32_t>(pairs.size()), 0, 0});
+        if (pairs.empty()) return pairs;
+        const std::size_t pilots =
+            std::clamp(kPilots / pairs.size() / kLanes * kLanes, kLeastPilots, kMostPilots);
+        const std::size_t at_once = kBetweenReports * kTogether / pilots;
+        for_all(pairs.size(), at_once, 0, kPilotsShare, run, [&](std::size_t i) {
+            Pair& pair = pairs[i];
+            for_starts({&pair, 0, pilots, pilots}, pair.rays, [&](const Meeting&, const Path& path) {
+                for (const double power : path.powers) pair.power += power;
+            });
+        });
+        return pairs;
+    }
+
     [[nodiscard]] Meeting meeting_at(std::uint32_t triangle, double b1, double b2) const {
         const WorldGeometry& geometry = scene_.geometry;
         const glm::uvec3& corners = geometry.triangles[triangle];
@@ -184,13 +224,14 @@ private:
         return meeting_at(smooth.triangles[chosen], root * (1 - point.y), root * point.y);
     }
 
-    // Calls visit(meeting, path) for light that reaches the smooth surface from a source: for the paths
-    // first <= i < last of `count`, which are spread evenly over the surface and over the source.
+    // Calls visit(meeting, path) for light that reaches the smooth surface from the source. All paths of a
+    // pair are spread evenly over the surface and over the source. Adds the number of traced rays to `rays`.
     template <class Visit>
-    void for_starts(const SmoothRange& smooth, const LightSource& source, std::uint32_t index,
-                    std::size_t first, std::size_t last, std::size_t count, const Visit& visit) const {
+    void for_starts(const Stretch& stretch, std::uint64_t& rays, const Visit& visit) const {
+        const SmoothRange& smooth = stretch.pair->smooth;
+        const auto count = static_cast<double>(stretch.count);
         LaneLight light;
-        for (std::size_t begin = first; begin < last; begin += kLanes) {
+        for (std::size_t begin = stretch.first; begin < stretch.last; begin += kLanes) {
             std::array<Meeting, kLanes> meetings;
             LaneVectors positions;
             Lanes u, v;
@@ -200,12 +241,12 @@ private:
                 const glm::dvec2 of_source =
                     glm::fract(0.5 + static_cast<double>(begin + i) *
                                          glm::dvec2(0.7548776662466927, 0.5698402909980532));
-                meetings[i] = start_at(smooth, begin + i, count);
+                meetings[i] = start_at(smooth, begin + i, stretch.count);
                 put(positions, i, glm::vec3(meetings[i].position));
                 u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
                 v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
             }
-            source.sample(positions, u, v, light);
+            stretch.pair->source.sample(positions, u, v, light);
             for (std::size_t i = 0; i < kLanes; ++i) {
                 if ((light.points >> i & 1) == 0) continue;
                 const Meeting& meeting = meetings[i];
@@ -215,13 +256,14 @@ private:
                 if (!glass && !(cosine > 0)) continue;
                 Ray ray = leaving(meeting.position, meeting.facet, towards, meeting.offset);
                 ray.farthest = static_cast<double>(light.distance[i]);
-                if (scene_.smooth.occluded(ray)) continue;
+                ++rays;
+                if (rays_.occluded(ray)) continue;
                 Path path{.direction = -towards,
                           .body = nullptr,
                           .bent = false,
-                          .seed = sample_seed(static_cast<std::uint32_t>(begin + i), index),
+                          .seed = sample_seed(static_cast<std::uint32_t>(begin + i), stretch.pair->index),
                           .powers = {}};
-                const double area = smooth.areas.back() * std::abs(cosine) / static_cast<double>(count);
+                const double area = smooth.areas.back() * std::abs(cosine) / count;
                 for (std::size_t c = 0; c < scene_.channels; ++c)
                     path.powers.push_back(
                         area *
@@ -235,29 +277,50 @@ private:
         return *scene_.geometry.ranges[meeting.range].material;
     }
 
-    void follow(Meeting at, Path& path, std::vector<Photon>& photons, std::vector<float>& powers) const {
-        for (int event = 0;; ++event) {
-            const Material& material = material_at(at);
-            if (!bends_light(material)) {
-                // Backs are black; two-sided surfaces have triangles for both sides.
-                if (!path.bent || !(glm::dot(at.facet, path.direction) < 0)) return;
-                photons.push_back({.position = glm::vec3(at.position),
-                                   .normal = glm::vec3(at.facet),
-                                   .towards = glm::vec3(-path.direction)});
-                for (const double power : path.powers) powers.push_back(static_cast<float>(power));
-                return;
-            }
+    void follow(Meeting at, Path& path, Arrivals& out) const {
+        for (int event = 0; focuses_light(material_at(at)); ++event) {
             if (event == scene_.events) return;
             path.seed = sample_seed(path.seed, static_cast<std::uint32_t>(event));
+            const Material& material = material_at(at);
             const SmoothBoundary* const boundary = material.smooth_boundary();
             if (boundary != nullptr ? !pass(*boundary, at, path) : !mirror(material, at, path)) return;
-            const Ray ray = leaving(at.position, at.facet, path.direction, at.offset);
-            const std::optional<RayHit> hit = scene_.smooth.intersect(ray);
-            if (!hit) return;
-            for (std::size_t c = 0; c < path.powers.size(); ++c)
-                path.powers[c] *= transmitted_by(path.body, static_cast<int>(c), hit->distance);
-            at = meeting_at(hit->triangle, hit->b1, hit->b2);
+            const std::optional<Meeting> next = next_meeting(at, path, out);
+            if (!next) return;
+            at = *next;
         }
+        arrive(at, path, out);
+    }
+
+    // Returns where light that leaves a surface meets another one that blocks it. The light arrives at those
+    // in between, too, but goes on.
+    [[nodiscard]] std::optional<Meeting> next_meeting(const Meeting& from, Path& path, Arrivals& out) const {
+        Ray ray = leaving(from.position, from.facet, path.direction, from.offset);
+        double travelled = 0;
+        while (true) {
+            ++out.rays;
+            const std::optional<RayHit> hit = rays_.first(ray);
+            if (!hit) return std::nullopt;
+            for (std::size_t c = 0; c < path.powers.size(); ++c)
+                path.powers[c] *= transmitted_by(path.body, static_cast<int>(c), hit->distance - travelled);
+            travelled = hit->distance;
+            const Meeting at = meeting_at(hit->triangle, hit->b1, hit->b2);
+            if (PhotonRays::blocks(scene_.geometry.ranges[at.range])) return at;
+            if (!focuses_light(material_at(at))) arrive(at, path, out);
+            ray.nearest = rays_.beyond(*hit);
+        }
+    }
+
+    // Adds a photon where a path ends, unless the light is that which shadow rays find.
+    void arrive(const Meeting& at, const Path& path, Arrivals& out) const {
+        // Backs are black; two-sided surfaces have triangles for both sides. Shadow rays find all light of
+        // surfaces that receive no shadows.
+        if (!path.bent || !scene_.geometry.ranges[at.range].roles.receives_shadows ||
+            !(glm::dot(at.facet, path.direction) < 0))
+            return;
+        out.photons.push_back({.position = glm::vec3(at.position),
+                               .normal = glm::vec3(at.facet),
+                               .towards = glm::vec3(-path.direction)});
+        for (const double power : path.powers) out.powers.push_back(static_cast<float>(power));
     }
 
     // Reflects or transmits a path by chance. Returns whether it goes on.
@@ -302,14 +365,26 @@ private:
 
     const PhotonScene& scene_;
     std::span<const LightSourcePtr> sources_;
+    PhotonRays rays_;
     std::vector<SmoothRange> smooth_;
 };
 
 }  // namespace
 
+bool focuses_light(const Material& material) {
+    const SmoothBoundary* const boundary = material.smooth_boundary();
+    if (boundary != nullptr) return !boundary->rough();
+    return material.variation() == nullptr && material.terms() > 0 && is_mirror(material);
+}
+
+std::size_t most_focused_bytes(std::size_t surfaces, std::size_t sources, std::size_t channels) {
+    return FocusedLight::most_bytes(kPaths + kLanes * surfaces * sources, channels);
+}
+
 std::shared_ptr<const FocusedLight> focused_light(const PhotonScene& scene,
-                                                  std::span<const LightSourcePtr> sources) {
-    return Tracer(scene, sources).trace();
+                                                  std::span<const LightSourcePtr> sources, RenderRun& run) {
+    if (sources.empty()) return nullptr;
+    return Tracer(scene, sources).trace(run);
 }
 
 }  // namespace nicol

@@ -8,6 +8,7 @@
 
 #include "shading/focused_light.hpp"
 #include "shading/light_source.hpp"
+#include "stage/workers.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 
@@ -21,11 +22,21 @@ struct PhotonScene {
     std::size_t channels;  ///< of the image
 };
 
+/// Returns whether surfaces of a material send the light of lamps on to others: smooth glass, and mirrors
+/// without textures.
+[[nodiscard]] bool focuses_light(const Material& material);
+
+/// Returns the largest number of bytes of focused_light(). surfaces, sources: the number of smooth surfaces
+/// and of sources, both above 0.
+[[nodiscard]] std::size_t most_focused_bytes(std::size_t surfaces, std::size_t sources, std::size_t channels);
+
 /// Follows light from sources over smooth glass and mirrors, those that cast shadows, until it meets another
-/// surface that the camera sees. Light that passes glass straight alone is left out, because shadow rays let
-/// it pass. Returns null if next to no light arrives. Runs on the calling thread's TBB arena; the result does
-/// not depend on the number of threads.
+/// surface that does. The light also arrives at those on its way that cast none; surfaces that receive no
+/// shadows are left out. Light that passes glass straight alone is left out, because shadow rays let it pass.
+/// Returns null if next to no light arrives. Runs on the run's threads, reports progress and counts the rays;
+/// the result does not depend on the number of threads. Throws Error(cancelled).
 [[nodiscard]] std::shared_ptr<const FocusedLight> focused_light(const PhotonScene& scene,
-                                                                std::span<const LightSourcePtr> sources);
+                                                                std::span<const LightSourcePtr> sources,
+                                                                RenderRun& run);
 
 }  // namespace nicol

@@ -44,11 +44,23 @@ public:
     /// smooth. any() must be true.
     [[nodiscard]] bool open(std::uint32_t triangle) const { return open_[triangle] != 0; }
 
+    /// Returns whether rays may begin at a triangle that an image shows: not at open mirrors, which reflect
+    /// lights alone. any() must be true.
+    [[nodiscard]] bool followed(std::uint32_t triangle) const {
+        return of(triangle) != Smoothness::none && !(of(triangle) == Smoothness::mirror && open(triangle));
+    }
+
     /// Sets hits[i] to the first hit of rays[i], which pass the backs of two-sided surfaces because their
     /// other side has triangles of its own. RayHit::triangle is an index into the geometry's triangles. any()
     /// must be true.
     void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
         rays_->intersect(rays, hits);
+    }
+
+    /// Finds the first hits of a packet, as RayScene does, and of the same surfaces.
+    [[nodiscard]] std::uint16_t intersect(const RayPacket& packet, std::uint16_t active,
+                                          HitPacket& hits) const {
+        return rays_->intersect(packet, active, hits);
     }
 
     /// Returns the ray hierarchy if light passes some surfaces, which mirrors then show; else null.

@@ -201,6 +201,62 @@ TEST_CASE("many rays have the hits of single rays, close to each other or not") 
     }
 }
 
+TEST_CASE("a packet finds the hits of single rays, at any scale and with any numbers of triangles") {
+    const Mesh ball = make_sphere({0.2, 0, 0}, 0.7);
+    std::vector<glm::vec3> tiny = ball.positions;
+    for (glm::vec3& p : tiny) p *= 1e-8F;
+    const std::vector<TriangleNumbers> numbers{{0, 7}, {.first = 40, .number = 2000, .back = 3000}};
+    const RaySurface surfaces[] = {
+        {.positions = ball.positions, .triangles = ball.triangles},
+        {.positions = ball.positions, .triangles = ball.triangles, .numbers = numbers},
+        {.positions = tiny, .triangles = ball.triangles}};
+    for (std::size_t s = 0; s < std::size(surfaces); ++s) {
+        const RayScene scene(std::span(&surfaces[s], 1));
+        const double scale = s == 2 ? 1e-8 : 1;
+        std::mt19937 random(1);
+        int found = 0, missed = 0;
+        for (const double spread : {0.05, 3.0}) {
+            CAPTURES(s, spread);
+            RayPacket packet{};
+            packet.farthest.fill(std::numeric_limits<float>::infinity());
+            for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
+                // Half of the rays begin inside.
+                const glm::vec3 origin(scale * (glm::dvec3(0, 0, i % 2) + spread * random_direction(random)));
+                const glm::vec3 direction(random_direction(random));
+                packet.origin_x[i] = origin.x;
+                packet.origin_y[i] = origin.y;
+                packet.origin_z[i] = origin.z;
+                packet.direction_x[i] = direction.x;
+                packet.direction_y[i] = direction.y;
+                packet.direction_z[i] = direction.z;
+            }
+            constexpr std::uint16_t active = 0xF7FE;
+            HitPacket hits{};
+            const std::uint16_t hit = scene.intersect(packet, active, hits);
+            CHECK((hit & ~active) == 0);
+            for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
+                if ((active >> i & 1) == 0) continue;
+                CAPTURE(i);
+                const auto single = scene.intersect(
+                    {.origin = {packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]},
+                     .direction = {packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]}});
+                REQUIRE((hit >> i & 1) == (single ? 1 : 0));
+                ++(single ? found : missed);
+                if (!single) continue;
+                CHECK(hits.surface[i] == 0);
+                CHECK(hits.triangle[i] == single->triangle);
+                CHECK(static_cast<double>(hits.distance[i]) ==
+                      doctest::Approx(single->distance).epsilon(1e-5));
+                CHECK(std::abs(static_cast<double>(hits.b1[i]) - single->b1) < 1e-3);
+                CHECK(std::abs(static_cast<double>(hits.b2[i]) - single->b2) < 1e-3);
+            }
+            CHECK(scene.intersect(packet, 0, hits) == 0);
+        }
+        CHECK(found > 5);
+        CHECK(missed > 2);
+    }
+}
+
 TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
     std::mt19937 random(6);
     for (const double size : {1e-3, 1.0, 1e5}) {

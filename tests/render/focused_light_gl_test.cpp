@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Tests of light of lamps that glass and mirrors send to other surfaces.
+#include <optional>
+
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "material/dielectric.hpp"
+#include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
@@ -23,8 +26,9 @@ LocalLight lamp_at(const glm::dvec3& place) {
 }
 
 /// Returns the light of a place (0, 0, 0) on a floor in each of three channels.
-std::array<double, 3> shown_floor(test::Studio& studio, Scene& scene, int max_depth) {
-    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5, 0.5, 0.5})});
+std::array<double, 3> shown_floor(test::Studio& studio, Scene& scene, int max_depth,
+                                  const InstanceRoles& roles = {}) {
+    scene.set_roles(scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5, 0.5, 0.5})}), roles);
     Camera camera = test::camera_at({0, 5, 1});
     camera.fov = 0.2;
     const StokesImage image = studio(scene, bouncing(max_depth), camera);
@@ -60,20 +64,92 @@ IMAGE_TEST_CASE("a lamp behind a block of glass lights a floor as from nearer by
     }
 }
 
-IMAGE_TEST_CASE("a mirror lights a floor by the mirror image of a lamp") {
+IMAGE_TEST_CASE(
+    "a mirror lights a floor by the mirror image of a lamp, whether the camera sees the mirror or not") {
     test::Studio studio(context, 8, 8);
-    const auto lit = [&](bool mirrored) {
+    const auto lit = [&](const std::optional<InstanceRoles>& mirror) {
         Scene scene;
-        if (mirrored)
-            scene.add({.mesh = test::rectangle(1),
-                       .material = conductor({{0.0, -100.0}}),
-                       .to_world = test::at(-2, 0, 0, 6) *
-                                   glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 1, 0))});
+        if (mirror)
+            scene.set_roles(
+                scene.add({.mesh = test::rectangle(1),
+                           .material = conductor({{0.0, -100.0}}),
+                           .to_world = test::at(-2, 0, 0, 6) *
+                                       glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 1, 0))}),
+                *mirror);
         scene.add_light(lamp_at({0, 0, 3}));
         return shown_floor(studio, scene, 3)[1];
     };
-    const double direct = 1 / 9.0, mirrored = 3 / std::pow(5, 3);
-    CHECK(lit(true) / lit(false) == doctest::Approx(1 + mirrored / direct).epsilon(0.03));
+    const double direct = 1 / 9.0, mirrored = 3 / std::pow(5, 3), alone = lit({});
+    CHECK(lit(InstanceRoles{}) / alone == doctest::Approx(1 + mirrored / direct).epsilon(0.03));
+    CHECK(lit(InstanceRoles{.visible = false}) / alone ==
+          doctest::Approx(1 + mirrored / direct).epsilon(0.03));
+    CHECK(lit(InstanceRoles{.casts_shadows = false}) / alone == doctest::Approx(1).epsilon(1e-3));
+}
+
+IMAGE_TEST_CASE("focused light meets surfaces as shadow rays do") {
+    test::Studio studio(context, 8, 8);
+    struct Roles {
+        std::optional<InstanceRoles> sheet = {};  // of a black sheet between glass and floor
+        InstanceRoles glass = {};
+        InstanceRoles floor = {};
+    };
+    const auto lit = [&](const Roles& roles, bool glass = true) {
+        Scene scene;
+        if (glass)
+            scene.set_roles(scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                                       .material = dielectric({.int_ior = 1.5, .ext_ior = 1}),
+                                       .to_world = test::at(0, 0, 2, 0.5)}),
+                            roles.glass);
+        if (roles.sheet)
+            scene.set_roles(scene.add({.mesh = test::rectangle(1),
+                                       .material = diffuse({0, 0, 0}),
+                                       .to_world = test::at(0, 0, 0.5, 0.6)}),
+                            *roles.sheet);
+        scene.add_light(lamp_at({0, 0, 6}));
+        return shown_floor(studio, scene, 4, roles.floor)[1];
+    };
+    const double open = lit({}, false), focused = lit({});
+    CHECK(focused > 1.01 * open);
+    CHECK(lit({.sheet = InstanceRoles{}}) < 0.01 * open);
+    CHECK(lit({.sheet = InstanceRoles{.visible = false}}) < 0.01 * open);
+    CHECK(lit({.sheet = InstanceRoles{.casts_shadows = false}}) == doctest::Approx(focused).epsilon(1e-3));
+    CHECK(lit({.glass = {.casts_shadows = false}}) == doctest::Approx(open).epsilon(1e-3));
+    CHECK(lit({.glass = {.visible = false}}) == doctest::Approx(open).epsilon(1e-3));
+    CHECK(lit({.floor = {.receives_shadows = false}}) == doctest::Approx(open).epsilon(1e-3));
+}
+
+IMAGE_TEST_CASE("focused light is counted when it is found, and its memory is estimated") {
+    test::Studio studio(context, 16, 16);
+    Scene scene;
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5}), .to_world = test::plate_at(-1.2, 3)});
+    const std::uint32_t ball =
+        scene.add({.mesh = test::fine_sphere(), .material = dielectric({.int_ior = 1.5, .ext_ior = 1})});
+    const std::uint32_t lamp = scene.add_light(lamp_at({0, 4, 1}));
+    RenderOptions options = bouncing(4);
+    options.refine_tolerance = 0;
+    const auto render = [&](const Camera& camera) {
+        static_cast<void>(studio(scene, options, camera));
+        return studio.statistics;
+    };
+    constexpr std::uint64_t paths = 1 << 17;
+    const Statistics first = render(test::camera_at({0, 1, 6}));
+    CHECK(first.light_rays > paths);
+    CHECK(first.focus_ms > 0);
+    CHECK(first.light_ms >= first.focus_ms);
+    CHECK(first.shade_ms >= first.light_ms);
+    CHECK(first.transfer_bytes <= estimate_memory(scene, options).transfer);
+    const Statistics moved = render(test::camera_at({0, 1.1, 6}));
+    CHECK(moved.light_rays < paths);
+    CHECK(moved.focus_ms < first.focus_ms);
+    LocalLight other = lamp_at({0.5, 4, 1});
+    scene.set_light(lamp, other);
+    CHECK(render(test::camera_at({0, 1, 6})).light_rays > paths);
+    const std::uint64_t with = estimate_memory(scene, options).transfer;
+    scene.set_material(ball, diffuse({0.5}));
+    CHECK(estimate_memory(scene, options).transfer + 64 * paths < with);
+    const Statistics without = render(test::camera_at({0, 1, 6}));
+    CHECK(without.focus_ms == 0);
+    CHECK(without.transfer_bytes + 64 * paths / 8 < first.transfer_bytes);
 }
 
 IMAGE_TEST_CASE("a ball of glass focuses the light of a lamp on a floor as by rays") {

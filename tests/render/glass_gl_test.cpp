@@ -105,6 +105,41 @@ IMAGE_TEST_CASE("light passes a pane at Brewster's angle as the closed form says
     }
 }
 
+IMAGE_TEST_CASE("a pane tilted by 56 degrees in any plane shows light in any state as the closed form says") {
+    test::Studio studio(context, 8, 8);
+    const double tilt = glm::radians(56.0), index = 1.5;
+    const double cosine = std::cos(tilt), inner = std::sqrt(1 - std::pow(std::sin(tilt) / index, 2));
+    const double s = std::pow((cosine - index * inner) / (cosine + index * inner), 2);
+    const double p = std::pow((index * cosine - inner) / (index * cosine + inner), 2);
+    // All reflections inside, without interference: 1 - r of each side, and r^2 between two of them.
+    const double of_s = (1 - s) / (1 + s), of_p = (1 - p) / (1 + p);
+    const double together = (1 - s) * (1 - p) / (1 - s * p);
+    for (const double turn : {0.0, 30.0, 100.0}) {
+        for (const PolarizationState& state :
+             {PolarizationState{}, PolarizationState{.dolp = 0.8, .aolp = 0.3},
+              PolarizationState{.dolp = 0.5, .aolp = 1.2, .docp = -0.6}}) {
+            CAPTURE(turn);
+            CAPTURE(state.dolp);
+            Scene scene;
+            add_wall(scene, state);
+            const double angle = glm::radians(turn);
+            scene.add(
+                {.mesh = test::rectangle(1),
+                 .material = thin_dielectric(glass_of(index)),
+                 .to_world = glm::rotate(glm::dmat4(1), angle, glm::dvec3(0, 0, 1)) * tilted(tilt, 0, 2)});
+            const StokesImage image = studio(scene, kPixels, narrow_camera({0, 0, 9}));
+            // The s-axis is the axis of the tilt. The image's x is the world's.
+            const Stokes given(1, state.dolp * std::cos(2 * state.aolp),
+                               state.dolp * std::sin(2 * state.aolp), state.docp);
+            const Stokes in = rotated(given, angle);
+            const Stokes passed((of_s + of_p) / 2 * in[0] + (of_s - of_p) / 2 * in[1],
+                                (of_s - of_p) / 2 * in[0] + (of_s + of_p) / 2 * in[1], together * in[2],
+                                together * in[3]);
+            CHECK(glm::distance(mean_of(image), rotated(passed, -angle)) < 1e-3);
+        }
+    }
+}
+
 IMAGE_TEST_CASE("a pane reflects at Brewster's angle as the closed form says") {
     test::Studio studio(context, 8, 8);
     Scene scene;
@@ -162,6 +197,48 @@ IMAGE_TEST_CASE("glass of the index of its surroundings changes nothing") {
             if (!shadows) CHECK(test::differing_pixels(with, without, 1e-4 * rms(without)) < 8);
         }
     }
+}
+
+IMAGE_TEST_CASE("a film of the index of the surroundings changes nothing, nor does light in any state") {
+    test::Studio studio(context, 40, 30);
+    // Chains of samples that show a boundary without a film are followed side by side, others one by one.
+    const std::vector<double> absorption{0.4, 0, 1.5};
+    const auto shown = [&](bool film, bool thin, bool orthographic) {
+        DielectricParameters of = glass_of(1.5);
+        of.specular_reflectance = {0.9, 1.0, 0.8};
+        of.specular_transmittance = {0.8, 0.9, 1.0};
+        if (!thin) of.absorption = absorption;
+        if (film) of.film = {.thickness = 300, .eta = {1.0}};
+        Scene scene;
+        scene.set_environment(test::falling_light(6, LightKind::full), some_rotation(), 1.5);
+        const MaterialPtr glass = thin ? thin_dielectric(of) : dielectric(of);
+        scene.add({.mesh = test::coarse_sphere(8), .material = glass});
+        scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                   .material = glass,
+                   .to_world = test::at(1.1, 0.3, -1, 0.7)});
+        scene.add({.mesh = test::coarse_sphere(6),
+                   .material = pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}}),
+                   .to_world = test::at(0, 0.1, 0, 0.4)});
+        scene.add({.mesh = test::rectangle(6),
+                   .material = test::some_metal(0.3),
+                   .to_world = test::plate_at(-1.3, 2)});
+        Camera camera = test::some_camera();
+        if (orthographic) {
+            camera.orthographic = true;
+            camera.to_world = camera.to_world * glm::dmat4(glm::dmat3(2));
+        }
+        RenderOptions options = kPixels;
+        options.pixel_samples = 2;
+        return studio(scene, options, camera);
+    };
+    for (const bool thin : {false, true})
+        for (const bool orthographic : {false, true}) {
+            CAPTURE(thin);
+            CAPTURE(orthographic);
+            const StokesImage without = shown(false, thin, orthographic);
+            CHECK(studio.statistics.smooth_rays > 1000);
+            CHECK(rms_difference(shown(true, thin, orthographic), without) < 1e-3 * rms(without));
+        }
 }
 
 IMAGE_TEST_CASE("a body absorbs light by the length of its path inside, a surface inside included") {

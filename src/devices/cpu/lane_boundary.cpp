@@ -4,6 +4,7 @@
 #include "material/frames.hpp"
 #include "polarization/fresnel.hpp"
 #include "shading/ray_spread.hpp"
+#include "simd/all_lanes.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -109,40 +110,52 @@ template <class Number>
         dot(facet, normal, agreement);
         dot(facet, ray, seen);
         const Number of_front = agreement < 0.0 ? -one : one;
-        const auto inside = of_front * seen > 0.0;
+        const auto inside = of_front * seen > 0.0, outside = of_front * seen <= 0.0;
         const Number sign = inside ? -one : one;
         const Number turned = of_front * sign;
         const Vector3<Number> side{turned * facet.x, turned * facet.y, turned * facet.z};
         const Vector3<Number> smooth{sign * normal.x, sign * normal.y, sign * normal.z};
         const Number eta = inside ? Number{} + sides.eta[1] : Number{} + sides.eta[0];
-        const Directions<Number> by_normal = directions_at(eta, sides.slab, smooth, ray);
-        const Directions<Number> by_facet = directions_at(eta, sides.slab, side, ray);
+        Directions<Number> along = directions_at(eta, sides.slab, smooth, ray);
         // An interpolated normal may point a reflection into the surface.
         Number up, down;
-        dot(by_normal.reflected, side, up);
-        dot(by_normal.transmitted, side, down);
-        down = by_normal.square > 0.0 ? down : -one;
-        Number consistent = by_normal.cosine > 0.0 ? one : Number{};
+        dot(along.reflected, side, up);
+        dot(along.transmitted, side, down);
+        down = along.square > 0.0 ? down : -one;
+        Number consistent = along.cosine > 0.0 ? one : Number{};
         consistent = up > 0.0 ? consistent : Number{};
         consistent = down < 0.0 ? consistent : Number{};
         const auto regular = consistent > 0.0;
-        const Vector3<Number> facing = choose(regular, smooth, side);
-        const Number cosine = regular ? by_normal.cosine : by_facet.cosine;
-        const Number root = regular ? by_normal.root : by_facet.root;
-        const Number square = regular ? by_normal.square : by_facet.square;
-        store_part(choose(regular, by_normal.reflected, by_facet.reflected), first,
-                   out.reflected.towards_light);
-        store_part(choose(regular, by_normal.transmitted, by_facet.transmitted), first,
-                   out.transmitted.towards_light);
+        Vector3<Number> facing = smooth;
+        if (!all_lanes(regular)) {
+            const Directions<Number> by_facet = directions_at(eta, sides.slab, side, ray);
+            facing = choose(regular, smooth, side);
+            along = {regular ? along.cosine : by_facet.cosine, regular ? along.square : by_facet.square,
+                     regular ? along.root : by_facet.root,
+                     choose(regular, along.reflected, by_facet.reflected),
+                     choose(regular, along.transmitted, by_facet.transmitted)};
+        }
+        const Number cosine = along.cosine, root = along.root, square = along.square;
+        store_part(along.reflected, first, out.reflected.towards_light);
+        store_part(along.transmitted, first, out.transmitted.towards_light);
         store_part(cosine, first, out.cosines);
         store_part(Number(inside ? one : Number{}), first, out.inside);
         const Number scale = sides.slab ? one : 1.0 / (eta * eta);
         store_part(scale, first, out.radiance_scale);
 
-        ReflectionBlock<Number> reflection = choose(inside, dielectric_reflection(cosine, sides.index[1]),
-                                                    dielectric_reflection(cosine, sides.index[0]));
-        ReflectionBlock<Number> transmission = choose(inside, transmission_block(cosine, sides.index[1]),
-                                                      transmission_block(cosine, sides.index[0]));
+        ReflectionBlock<Number> reflection, transmission;
+        // Rays of one beam are mostly on one side.
+        const bool all_inside = all_lanes(inside);
+        if (all_inside || all_lanes(outside)) {
+            const RelativeIndex<double>& index = sides.index[all_inside ? 1 : 0];
+            reflection = dielectric_reflection(cosine, index);
+            transmission = transmission_block(cosine, index);
+        } else {
+            reflection = choose(inside, dielectric_reflection(cosine, sides.index[1]),
+                                dielectric_reflection(cosine, sides.index[0]));
+            transmission = choose(inside, transmission_block(cosine, sides.index[1]),
+                                  transmission_block(cosine, sides.index[0]));
+        }
         if (sides.slab) {
             const auto enters = transmission.a > 0.0;
             const SlabBlocks<Number> both = slab_blocks(reflection);

@@ -68,7 +68,7 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
         surfaces_.add_lights(batch, stokes, counts);
     });
     add_background(input_, first, last, coverage, out);
-    if (chains_) chains_->add(first, last, out, counts);
+    if (chains_ && points.followed) chains_->add(first, last, out, counts);
     return counts;
 }
 

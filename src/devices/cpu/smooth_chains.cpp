@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "devices/mirrored_pixel.hpp"
 #include "draw/visibility_buffer.hpp"
@@ -48,7 +49,10 @@ std::optional<RayHit> hit_on(const WorldGeometry& geometry, std::uint32_t triang
 }  // namespace
 
 SmoothChains::SmoothChains(const SurfaceShading& surfaces)
-    : surfaces_(surfaces), input_(surfaces.input()), wanted_(0) {
+    : surfaces_(surfaces),
+      input_(surfaces.input()),
+      wanted_(0),
+      to_light_(glm::transpose(input_.light_to_geometry)) {
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted_[static_cast<glm::length_t>(p)] = 1;
     if (!input_.follows_lobes) return;
     for (const VertexRange& range : input_.geometry.ranges) {
@@ -70,6 +74,8 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
     ends.range = 0;
     ends.first = first;
     ends.halves.assign((last - first) * out.size(), {});
+    thread_local std::vector<Shown> boundaries;
+    boundaries.clear();
     thread_local std::vector<std::size_t> lobes;  // number of each pixel's samples that show them
     lobes.assign(last - first, 0);
     const std::size_t samples = input_.hits.offsets().size();
@@ -81,10 +87,16 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
             if (shown == Smoothness::lobes) ++lobes[pixel - first];
             // The lights that mirrors and lobes reflect are those of the surface; rays find other surfaces.
             if (reflects_alone(shown) && input_.smooth->open(hit->triangle)) continue;
+            if (shown == Smoothness::boundary) {
+                const SurfacePoint at = surface_point(input_, hit->triangle, pixel, ends.range);
+                boundaries.push_back({at.pixel, static_cast<std::uint32_t>(s), at.triangle, at.range});
+                continue;
+            }
             chains.push_back(first_chain(pixel, s, ends));
             chains.back().shown = hit->triangle;
         }
     }
+    follow_bundles(boundaries, chains, ends, out);
     follow_all(chains, ends);
     add_surfaces(ends, out, counts);
     add_sky(ends, out);
@@ -219,13 +231,11 @@ void SmoothChains::find_hits(std::span<const Chain> chains, std::vector<std::opt
 SmoothChains::Chain SmoothChains::after_event(const Chain& chain, std::uint32_t matrices,
                                               std::uint32_t number) const {
     const bool shows_glass = all_followed_sampled(input_.sampled);
-    // Events take choices of their own from smaller numbers.
-    constexpr std::uint32_t first = 1U << 16;
     Chain next = chain;
     next.way.matrices = matrices;
     ++next.events;
     next.lit = chain.lobes_lit && !shows_glass;
-    next.seed = sample_seed(chain.seed, first + number);
+    next.seed = sample_seed(chain.seed, kFirstOnward + number);
     next.shown = kNoTriangle;
     return next;
 }
@@ -235,9 +245,8 @@ void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::v
     absorb(chain, hit ? hit->distance : std::numeric_limits<double>::infinity(), ends);
     if (!hit) {
         if (chain.lit || input_.sky == nullptr) return;
-        const glm::dmat3 to_light = glm::transpose(input_.light_to_geometry);
-        ends.sky.push_back({.direction = glm::vec3(to_light * chain.ray.direction),
-                            .x = glm::vec3(to_light * chain.received[0]),
+        ends.sky.push_back({.direction = to_light_ * glm::vec3(chain.ray.direction),
+                            .x = to_light_ * glm::vec3(chain.received[0]),
                             .variance = static_cast<float>(chain.spread.variance() + chain.blur),
                             .way = chain.way});
         return;
@@ -266,7 +275,8 @@ void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::v
                                                  .up = chain.received[1],
                                                  .right = chain.received[0]},
                                        !chain.lit && !chain.lobes_lit, chain.events < input_.bounces},
-                             .way = chain.way});
+                             .way = chain.way,
+                             .events = chain.events});
 }
 
 void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>> out,
@@ -274,7 +284,9 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
     thread_local PixelBatch batch;
     thread_local std::vector<RayPoint> points;
     thread_local std::vector<glm::vec4> light;
-    std::ranges::stable_sort(ends.surfaces, {}, [](const Ends::Surface& end) { return end.point.group(); });
+    // Points of neighbouring rays follow one another, so that they find the same lights.
+    std::ranges::stable_sort(
+        ends.surfaces, {}, [](const Ends::Surface& end) { return std::pair(end.point.group(), end.events); });
     points.clear();
     for (const Ends::Surface& end : ends.surfaces) points.push_back(end.point);
     for (std::size_t begin = 0; begin < points.size(); begin += batch.points().size()) {

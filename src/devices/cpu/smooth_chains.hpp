@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "devices/cpu/lane_chains.hpp"
 #include "devices/cpu/surface_shading.hpp"
 #include "geometry/ray_scene.hpp"
 #include "material/followed_terms.hpp"
@@ -46,6 +48,8 @@ public:
 private:
     static constexpr std::uint32_t kNoHalf = 2;
     static constexpr std::uint32_t kNoTriangle = ~0U;
+    /// Number of a chain's first seed for a chain that goes on; events take smaller ones for their choices.
+    static constexpr std::uint32_t kFirstOnward = 1U << 16;
     /// Way of light from the end of a chain to the pixel.
     struct Way {
         std::uint32_t pixel;
@@ -82,6 +86,11 @@ private:
     };
     struct Place;
     struct Ends;
+    /// Sample that shows a smooth boundary.
+    struct Shown {
+        std::uint32_t pixel, sample, triangle, range;
+    };
+    struct Bundle;
     /// Continuation of a chain at a facet of a rough boundary.
     struct Event {
         const SmoothBoundary& boundary;
@@ -106,7 +115,26 @@ private:
         std::uint32_t number = 0;           ///< of the chain that goes on, among those of the event
     };
 
+    using Image = std::span<const std::span<glm::vec4>>;
+
     [[nodiscard]] Chain first_chain(std::size_t pixel, std::size_t sample, Ends& ends) const;
+    /// Follows the chains of samples as bundles while they meet the boundary that the samples show. Adds the
+    /// chains that meet others, and those of few samples or of a film, to `chains`.
+    void follow_bundles(std::vector<Shown>& shown, std::vector<Chain>& chains, Ends& ends, Image out) const;
+    /// Sets the first `count` chains of a bundle, which are at the boundary.
+    void begin_bundle(std::size_t count, LaneChains& out, const Bundle& bundle) const;
+    /// Finds what the rays of levels.front() meet, and goes on from the boundary. The other levels are room.
+    void meet(std::span<LaneChains> levels, Bundle& bundle) const;
+    /// Passes the boundary.
+    void pass(std::span<LaneChains> levels, Bundle& bundle) const;
+    /// Continues some chains beyond the boundary.
+    void go_on(const LaneChains& from, const LaneSplit& split, const LaneChoice& choice, std::uint32_t some,
+               LaneChains& to, const Bundle& bundle) const;
+    void add_sky(const LaneChains& chains, std::uint32_t some, Bundle& bundle) const;
+    void absorb(LaneChains& chains, std::uint32_t some, std::uint32_t met, const Bundle& bundle) const;
+    /// Returns a chain of a bundle, whose ray meets a triangle.
+    [[nodiscard]] Chain single(const LaneChains& chains, std::size_t lane, std::uint32_t triangle,
+                               const Bundle& bundle) const;
     /// Multiplies a chain by what the body around its ray transmits over a distance.
     void absorb(Chain& chain, double distance, Ends& ends) const;
     /// Follows chains to their ends.
@@ -150,7 +178,8 @@ private:
 
     const SurfaceShading& surfaces_;
     const PixelInput& input_;
-    glm::vec4 wanted_;  // 1 for the image's components, else 0
+    glm::vec4 wanted_;    // 1 for the image's components, else 0
+    glm::mat3 to_light_;  // from the geometry's axes to the light's
     struct Lobes {
         std::vector<FollowedLayer> layers;
         bool mirrors;  // whether the material has smooth terms as well
@@ -174,6 +203,7 @@ struct SmoothChains::Ends {
     struct Surface {
         RayPoint point;
         Way way;
+        int events;  // of the chain
     };
     struct Sky {
         glm::vec3 direction, x;  // in the light's axes

@@ -55,13 +55,15 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         std::ranges::copy(of.positions, work.positions.begin() + static_cast<std::ptrdiff_t>(begin));
         std::ranges::copy(of.normals, work.normals.begin() + static_cast<std::ptrdiff_t>(begin));
     }
-    if (surface.textures != nullptr || surface.response != nullptr)
+    const bool harmonics = surface.textures != nullptr || surface.response != nullptr;
+    const bool bounced =
+        surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces();
+    if (harmonics)
         reflect_harmonics(surface, batch, work, out);
     else
         for (const std::span<glm::vec4> channel : out) std::ranges::fill(channel, glm::vec4(0));
-    if (surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces())
-        add_bounced(*surface.bounced, batch, work, out);
-    if (input_.physical) {
+    if (bounced) add_bounced(*surface.bounced, batch, work, out);
+    if (input_.physical && (harmonics || bounced)) {
         for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
     }
     counts.shaded += count;

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Chains of neighbouring samples that show one smooth boundary, sixteen at a time.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "devices/cpu/chain_numbers.hpp"
+#include "devices/cpu/lane_chains.hpp"
+#include "devices/cpu/smooth_chains.hpp"
+#include "draw/visibility_buffer.hpp"
+#include "light/light_pyramid.hpp"
+#include "material/reflectance.hpp"
+#include "shading/light_samples.hpp"
+#include "simd/lane_transpose.hpp"
+#include "surfaces/smooth_surfaces.hpp"
+
+namespace nicol {
+namespace {
+
+// Bundles of fewer chains are slower than single chains.
+constexpr std::size_t kFewest = 4;
+
+}  // namespace
+
+// Samples of one boundary, side by side, and the light that they receive.
+struct SmoothChains::Bundle {
+    const VertexRange& range;
+    const SmoothBoundary& boundary;
+    std::array<Shown, kLanes> shown;
+    std::vector<std::array<Lanes, 4>>& sums;  // Stokes vectors, by channel
+    std::vector<Chain>& chains;               // that leave the bundle
+    Ends& ends;
+};
+
+void SmoothChains::follow_bundles(std::vector<Shown>& shown, std::vector<Chain>& chains, Ends& ends,
+                                  Image out) const {
+    thread_local std::vector<LaneChains> levels;
+    thread_local std::vector<std::array<Lanes, 4>> sums;
+    levels.resize(std::max(levels.size(), static_cast<std::size_t>(input_.smooth_events) + 1));
+    if (!std::ranges::is_sorted(shown, {}, &Shown::range)) std::ranges::stable_sort(shown, {}, &Shown::range);
+    for (std::size_t begin = 0; begin < shown.size();) {
+        std::size_t end = begin + 1;
+        while (end < std::min(begin + kLanes, shown.size()) && shown[end].range == shown[begin].range) ++end;
+        const std::span some = std::span(shown).subspan(begin, end - begin);
+        begin = end;
+        const VertexRange& vertices = input_.geometry.ranges[some.front().range];
+        const SmoothBoundary& boundary = *vertices.material->smooth_boundary();
+        if (some.size() < kFewest || boundary.film) {
+            for (const Shown& sample : some) {
+                chains.push_back(first_chain(sample.pixel, sample.sample, ends));
+                chains.back().shown = sample.triangle;
+            }
+            continue;
+        }
+        sums.assign(out.size(), {});
+        Bundle bundle{.range = vertices,
+                      .boundary = boundary,
+                      .shown = {},
+                      .sums = sums,
+                      .chains = chains,
+                      .ends = ends};
+        for (std::size_t i = 0; i < kLanes; ++i) bundle.shown[i] = some[std::min(i, some.size() - 1)];
+        begin_bundle(some.size(), levels.front(), bundle);
+        if (input_.smooth_events > 0 && levels.front().active != 0) pass(levels, bundle);
+        const bool in_row = some.size() == kLanes && some.back().pixel - some.front().pixel == kLanes - 1 &&
+                            input_.hits.offsets().size() == 1;
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            if (in_row) {
+                add_fours(sums[c].data(), kLanes, &out[c][some.front().pixel]);
+                continue;
+            }
+            for (std::size_t i = 0; i < some.size(); ++i)
+                out[c][some[i].pixel] +=
+                    glm::vec4(sums[c][0][i], sums[c][1][i], sums[c][2][i], sums[c][3][i]);
+        }
+    }
+}
+
+void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, const Bundle& bundle) const {
+    const auto columns = static_cast<std::uint32_t>(input_.hits.width());
+    std::array<double, kLanes> x, y;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const auto& [pixel, sample, triangle, range] = bundle.shown[i];
+        const glm::dvec2& offset = input_.hits.offsets()[sample];
+        const std::uint32_t row = pixel / columns;
+        x[i] = pixel - row * columns + 0.5 + offset.x;
+        y[i] = row + 0.5 + offset.y;
+        out.met[i] = triangle;
+        out.seeds[i] =
+            sample_seed(static_cast<std::uint32_t>(pixel * kMostPixelSamples + sample), input_.seed);
+        out.bodies[i] = nullptr;
+    }
+    const LaneTriangles triangles = LaneTriangles::of(input_.geometry, out.met);
+    const std::uint32_t undefined =
+        begin_chains({.projection = input_.projection,
+                      .width = input_.hits.width(),
+                      .height = input_.hits.height(),
+                      .x = x,
+                      .y = y,
+                      .triangles = triangles,
+                      .weight = 1 / static_cast<double>(input_.hits.offsets().size())},
+                     out);
+    out.factors.resize(bundle.sums.size());
+    for (Lanes& factors : out.factors) factors.value.fill(1);
+    out.open = 0;
+    out.events = 0;
+    out.active = ((1U << count) - 1) & ~undefined;
+    // Rays along their triangles find out what they meet.
+    for (std::size_t i = 0; i < count; ++i)
+        if ((undefined >> i & 1) != 0)
+            bundle.chains.push_back(first_chain(bundle.shown[i].pixel, bundle.shown[i].sample, bundle.ends));
+}
+
+void SmoothChains::meet(std::span<LaneChains> levels, Bundle& bundle) const {
+    LaneChains& chains = levels.front();
+    const WorldGeometry& geometry = input_.geometry;
+    const auto traced = static_cast<std::uint16_t>(chains.active & ~chains.open);
+    HitPacket hits{};
+    const std::uint32_t found = input_.smooth->intersect(packet_of(chains), traced, hits);
+    bundle.ends.rays += static_cast<std::uint64_t>(std::popcount(traced));
+    std::uint32_t met = 0, any = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if ((found >> i & 1) == 0) continue;
+        const std::uint32_t corner = geometry.triangles[hits.triangle[i]].x;
+        if (corner >= bundle.range.first && corner < bundle.range.last) {
+            met |= 1U << i;
+            any = hits.triangle[i];
+        } else {
+            bundle.chains.push_back(single(chains, i, hits.triangle[i], bundle));
+        }
+    }
+    chains.rays.distances.value = hits.distance;
+    const std::uint32_t sky = chains.active & ~found;
+    absorb(chains, sky | met, met, bundle);
+    if (sky != 0 && input_.sky != nullptr) add_sky(chains, sky, bundle);
+    chains.active = met;
+    if (met == 0 || chains.events == input_.smooth_events) return;
+    for (std::size_t i = 0; i < kLanes; ++i) chains.met[i] = (met >> i & 1) != 0 ? hits.triangle[i] : any;
+    chains.rays.b1.value = hits.b1;
+    chains.rays.b2.value = hits.b2;
+    chains.rays.triangles = LaneTriangles::of(geometry, chains.met);
+    pass(levels, bundle);
+}
+
+void SmoothChains::pass(std::span<LaneChains> levels, Bundle& bundle) const {
+    const LaneChains& chains = levels.front();
+    const SmoothBoundary& boundary = bundle.boundary;
+    LaneSplit split;
+    split_lanes(boundary, chains.rays, split);
+    LaneChoice choice{.reflects = {},
+                      .probabilities = {},
+                      .reflectance = mean_factor(boundary.reflectance),
+                      .transmittance = mean_factor(boundary.transmittance)};
+    choice.probabilities.value.fill(1);
+    std::uint32_t both = 0, one = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if ((chains.active >> i & 1) == 0) continue;
+        const double reflected = choice.reflectance * static_cast<double>(split.reflected.block[0][i]);
+        const double transmitted = choice.transmittance * static_cast<double>(split.transmitted.block[0][i]);
+        const double sum = reflected + transmitted;
+        if (!(sum > 0)) continue;
+        if (std::min(reflected, transmitted) * static_cast<double>(chains.carried[i]) >= kBothCarry) {
+            both |= 1U << i;
+            continue;
+        }
+        one |= 1U << i;
+        const bool reflects = fraction(chains.seeds[i]) * sum < reflected;
+        choice.reflects[i] = reflects ? 1 : 0;
+        choice.probabilities[i] = static_cast<float>((reflects ? reflected : transmitted) / sum);
+    }
+    const std::span rest = levels.subspan(1);
+    if ((both | one) != 0) {
+        go_on(chains, split, choice, both | one, rest.front(), bundle);
+        meet(rest, bundle);
+    }
+    if (both == 0) return;
+    choice.reflects.value.fill(1);
+    choice.probabilities.value.fill(1);
+    go_on(chains, split, choice, both, rest.front(), bundle);
+    meet(rest, bundle);
+}
+
+void SmoothChains::go_on(const LaneChains& from, const LaneSplit& split, const LaneChoice& choice,
+                         std::uint32_t some, LaneChains& to, const Bundle& bundle) const {
+    const SmoothBoundary& boundary = bundle.boundary;
+    const std::uint32_t outside = continue_chains(from, split, choice, to);
+    to.active = some;
+    to.open = 0;
+    to.events = from.events + 1;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if ((some >> i & 1) == 0) continue;
+        const bool reflects = choice.reflects[i] > 0;
+        to.seeds[i] = sample_seed(from.seeds[i], kFirstOnward + (reflects ? 1 : 0));
+        to.bodies[i] = body_before(boundary, split.inside[i] > 0, reflects, from.bodies[i]);
+        if ((outside >> i & 1) != 0 && input_.smooth->open(from.met[i])) to.open |= 1U << i;
+    }
+    to.factors.resize(from.factors.size());
+    for (std::size_t c = 0; c < to.factors.size(); ++c) {
+        const auto channel = static_cast<int>(c);
+        const auto of_reflected = static_cast<float>(of_channel(boundary.reflectance, channel));
+        const auto of_transmitted = static_cast<float>(of_channel(boundary.transmittance, channel));
+        for (std::size_t i = 0; i < kLanes; ++i)
+            to.factors[c][i] = from.factors[c][i] * (choice.reflects[i] > 0 ? of_reflected : of_transmitted) /
+                               choice.probabilities[i];
+    }
+}
+
+void SmoothChains::add_sky(const LaneChains& chains, std::uint32_t some, Bundle& bundle) const {
+    thread_local LaneLight light;
+    LaneSky sky;
+    find_sky(chains, to_light_, sky);
+    light.towards = sky.directions;
+    input_.sky->look_up(sky.variances, light);
+    add_light(chains, some, sky, light, static_cast<float>(input_.light_scale), input_.most_components,
+              bundle.sums);
+}
+
+void SmoothChains::absorb(LaneChains& chains, std::uint32_t some, std::uint32_t met,
+                          const Bundle& bundle) const {
+    if (black(bundle.boundary.absorption)) return;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if ((some >> i & 1) == 0 || chains.bodies[i] == nullptr) continue;
+        const double distance = (met >> i & 1) != 0 ? static_cast<double>(chains.rays.distances[i])
+                                                    : std::numeric_limits<double>::infinity();
+        double mean = 0;
+        for (std::size_t c = 0; c < chains.factors.size(); ++c) {
+            const double factor = transmitted_by(chains.bodies[i], static_cast<int>(c), distance);
+            chains.factors[c][i] *= static_cast<float>(factor);
+            mean += factor / static_cast<double>(chains.factors.size());
+        }
+        chains.carried[i] *= static_cast<float>(mean);
+    }
+}
+
+SmoothChains::Chain SmoothChains::single(const LaneChains& chains, std::size_t lane, std::uint32_t triangle,
+                                         const Bundle& bundle) const {
+    const std::uint32_t pixel = bundle.shown[lane].pixel;
+    const glm::dvec3 direction(vector_at(chains.rays.directions, lane));
+    const glm::dvec3 x(vector_at(chains.rays.received_x, lane));
+    std::vector<glm::mat4>& matrices = bundle.ends.matrices;
+    Chain out{.way = {.pixel = pixel, .matrices = static_cast<std::uint32_t>(matrices.size())},
+              .ray = {.origin = glm::dvec3(vector_at(chains.origins, lane)),
+                      .direction = glm::normalize(direction)},
+              .spread = {},
+              .blur = 0,
+              .received = Frame(x, glm::cross(-direction, x), -direction),
+              .carried = static_cast<double>(chains.carried[lane]),
+              .events = chains.events,
+              .lit = false,
+              .lobes_lit = false,
+              .scattered = false,
+              .body = chains.bodies[lane],
+              .seed = chains.seeds[lane],
+              .pixel_seed = sample_seed(pixel, input_.seed),
+              .sample = bundle.shown[lane].sample,
+              .shown = triangle};
+    for (std::size_t k = 0; k < 2; ++k) {
+        out.spread.places[k] = vector_at(chains.rays.places[k], lane);
+        out.spread.directions[k] = vector_at(chains.rays.changes[k], lane);
+    }
+    glm::mat4 mueller;
+    for (std::size_t i = 0; i < chains.matrices.size(); ++i)
+        mueller[static_cast<glm::length_t>(i % 4)][static_cast<glm::length_t>(i / 4)] =
+            chains.matrices[i][lane];
+    for (const Lanes& factors : chains.factors) matrices.push_back(factors[lane] * mueller);
+    return out;
+}
+
+}  // namespace nicol
