@@ -2,7 +2,6 @@
 #include "geometry/ray_scene.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -13,6 +12,7 @@
 #include "error.hpp"
 #include "geometry/embree.hpp"
 #include "geometry/largest_coordinate.hpp"
+#include "geometry/ray_beam.hpp"
 
 namespace nicol {
 namespace {
@@ -91,24 +91,6 @@ embree::Ray query_of(const Ray& ray, double scale) {
     query.tfar = static_cast<float>(farthest);
     query.mask = ~0U;
     return query;
-}
-
-// Least cosine between the first and any ray of a beam. Rays that facets scatter are not faster as one beam.
-constexpr double kBeam = 0.95;
-
-bool coherent(std::span<const Ray> rays) {
-    return std::ranges::all_of(
-        rays, [&](const Ray& ray) { return glm::dot(ray.direction, rays.front().direction) > kBeam; });
-}
-bool coherent(const RayPacket& packet, std::uint16_t active) {
-    const int first = std::countr_zero(active);
-    const auto x = packet.direction_x[first], y = packet.direction_y[first], z = packet.direction_z[first];
-    std::array<float, RayPacket::kRays> cosines;
-    for (std::size_t i = 0; i < cosines.size(); ++i)
-        cosines[i] = x * packet.direction_x[i] + y * packet.direction_y[i] + z * packet.direction_z[i];
-    for (std::size_t i = 0; i < cosines.size(); ++i)
-        if ((active >> i & 1) != 0 && !(cosines[i] > static_cast<float>(kBeam))) return false;
-    return true;
 }
 
 }  // namespace
@@ -286,7 +268,7 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<std::optional<RayH
         }
         query.geometry.fill(embree::kNoGeometry);
         query.instance.fill(embree::kNoGeometry);
-        embree_->library.intersect(embree_->scene.get(), valid, query, parts_.empty() && coherent(some));
+        embree_->library.intersect(embree_->scene.get(), valid, query, parts_.empty() && is_beam(some));
         for (std::size_t i = 0; i < some.size(); ++i)
             hits[first + i] = hit_of(query.hit(i), query.ray.tfar[i], some[i]);
     }
@@ -311,19 +293,23 @@ std::uint16_t RayScene::intersect(const RayPacket& packet, std::uint16_t active,
     query.ray.mask.fill(~0U);
     query.geometry.fill(embree::kNoGeometry);
     query.instance.fill(embree::kNoGeometry);
-    embree_->library.intersect(embree_->scene.get(), valid, query,
-                               parts_.empty() && coherent(packet, active));
+    embree_->library.intersect(embree_->scene.get(), valid, query, parts_.empty() && is_beam(packet, active));
+    hits = {.distance = query.ray.tfar,
+            .b1 = query.u,
+            .b2 = query.v,
+            .surface = parts_.empty() ? query.geometry : query.instance,
+            .triangle = query.triangle};
+    for (float& distance : hits.distance) distance /= scale;
     unsigned found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const Ray ray{.direction = {packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]}};
-        const std::optional<RayHit> hit = hit_of(query.hit(i), query.ray.tfar[i], ray);
-        if (!hit) continue;
+        if (query.geometry[i] == embree::kNoGeometry) continue;
         found |= 1U << i;
-        hits.surface[i] = hit->surface;
-        hits.triangle[i] = hit->triangle;
-        hits.distance[i] = static_cast<float>(hit->distance);
-        hits.b1[i] = static_cast<float>(hit->b1);
-        hits.b2[i] = static_cast<float>(hit->b2);
+        if (numbers_[hits.surface[i]].empty()) continue;
+        const Ray ray{.direction = {packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]}};
+        const RayHit hit = hit_of(query.hit(i), query.ray.tfar[i], ray).value();
+        hits.triangle[i] = hit.triangle;
+        hits.b1[i] = static_cast<float>(hit.b1);
+        hits.b2[i] = static_cast<float>(hit.b2);
     }
     return static_cast<std::uint16_t>(found);
 }
