@@ -1539,7 +1539,8 @@ class Statistics(Struct):
     response_bytes: bytes of material tables
     visibility_bytes: bytes of visibility by direction at each vertex
     transfer_bytes: bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
-                                               the surfaces that pixels show, and the image, unless OpenGL draws it
+                                               focused light, the surfaces that pixels show, and the image, unless OpenGL draws
+                                               it
     buffer_bytes: bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders
     texture_bytes: bytes of OpenGL textures, framebuffer included
     camera_rays: rays from the camera: of the reference method, or those that found the triangles
@@ -1563,8 +1564,10 @@ class Statistics(Struct):
     vertices_added: vertices that the bake added by splitting triangles, and their small reserve, recomputed or kept
     local_lights: local lights: the scene's, each instance that emits light, and lights_split
     lights_split: extracted lights that were taken out of the environment
-    light_rays: real-time methods: rays from vertices and pixels to local lights
-    light_ms: part of shade_ms for local lights and their shadows
+    light_rays: real-time methods: rays from vertices and pixels to local lights, and of the light
+                                               that glass and mirrors focus
+    light_ms: part of shade_ms for local lights, their shadows and the light that glass and mirrors
+                                               focus, which is found anew when lights or surfaces change
     smooth_rays: real-time methods: rays from pixels that show glass, mirrors or narrow lobes of
                                                metal, by threads; 0 if compute shaders shaded: smooth surfaces then mirror
                                                lights alone, no surfaces, and narrow lobes the light at vertices
