@@ -128,6 +128,7 @@ private:
     PredictedError predicted_;  // of the chosen orders, of shadows and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
     LightingTally followed_{};  // of its rays that follow lobes
+    SurfaceTally shown_s0_{};   // of its surfaces
 
     // Inputs: executor, method, view, light of low and high orders, rotation of the high orders, bounced
     // light, local lights, form of the high orders, with shadows, physical, noise, factors of the light,

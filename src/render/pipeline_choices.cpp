@@ -78,7 +78,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
         run.statistics.order_error = orders.error;
         const double rms = orders.rms * scene.light_scale();
         const double error = orders.error * rms;
-        predicted_.add(error * error, rms * rms * seen.brightness);
+        predicted_.add(std::pow(kErrorOfOrders * error, 2), rms * rms * seen.brightness);
         const double noise = of_dark * error;
         // Rounded to steps, so that the noise stays the same when an object moves.
         if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));

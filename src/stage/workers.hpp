@@ -60,6 +60,20 @@ private:
     }
 };
 
+/// Brightness of an image's surfaces, as threads that shade pixels find it.
+struct SurfaceTally {
+    double covered = 0;       ///< number of pixels, as far as surfaces cover them, times channels
+    std::uint64_t whole = 0;  ///< number of pixels that show surfaces without own light alone, times channels
+    double power = 0;         ///< sum over these of s0^2
+
+    SurfaceTally& operator+=(const SurfaceTally& other) {
+        covered += other.covered;
+        whole += other.whole;
+        power += other.power;
+        return *this;
+    }
+};
+
 /// Threads, progress and statistics for the steps of one render.
 struct RenderRun {
     Workers& workers;
@@ -71,6 +85,7 @@ struct RenderRun {
     bool saves_memory = false;
     LightingTally lighting{};  ///< of local lights and sampled terms
     LightingTally followed{};  ///< of the light that rays find for lobes
+    SurfaceTally surfaces{};   ///< of the image; 0 where threads shade no pixels
 
     void add(const LightingTally& tally) {
         lighting += tally;

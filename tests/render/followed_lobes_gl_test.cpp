@@ -173,6 +173,22 @@ IMAGE_TEST_CASE("the predicted error has the noise of rays that follow lobes") {
     }
 }
 
+IMAGE_TEST_CASE("the predicted error has the noise of lobes by their share of the image") {
+    test::Studio render(context, 24, 18);
+    const Scene scene = floor_before_wall(metal(0.15));
+    // The floor is a strip below the wall.
+    const Camera camera = test::camera_at({0, 0.6, 1.5}, {0, -0.3, -2});
+    RenderOptions options = following(8);
+    options.seed = 1;
+    const StokesImage one = render(scene, options, camera);
+    const double predicted = render.statistics.predicted_error;
+    options.seed = 2;
+    const StokesImage other = render(scene, options, camera);
+    const double noise = rms_difference(one, other) / std::sqrt(2.0) / rms(other);
+    CHECK(predicted > 0.6 * noise);
+    CHECK(predicted < 1.8 * noise);
+}
+
 IMAGE_TEST_CASE("with one bounce, rays end at direct light") {
     test::Studio render(context, 24, 18);
     const Scene scene = floor_before_wall(metal(0.1));

@@ -293,12 +293,14 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> su
     const PixelShading shading(input, of_points);
     std::atomic<std::uint64_t> shaded = 0, rays = 0;
     tbb::combinable<LightingTally> tallies, followed;
+    tbb::combinable<SurfaceTally> surfaces_shown;
     std::atomic<double> light_seconds = 0;
     make_image(input, "shade", run, [&](std::size_t begin, std::size_t end, const auto& channels) {
         const PointCounts counts = shading.run(begin, end, channels);
         shaded += counts.shaded;
         tallies.local() += counts.lighting;
         followed.local() += counts.followed;
+        surfaces_shown.local() += counts.surfaces;
         light_seconds += counts.light_seconds;
         rays += counts.ray_count;
     });
@@ -306,6 +308,7 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> su
     run.statistics.smooth_rays += rays;
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
     followed.combine_each([&](const LightingTally& tally) { run.followed += tally; });
+    surfaces_shown.combine_each([&](const SurfaceTally& tally) { run.surfaces += tally; });
     run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
 }
 

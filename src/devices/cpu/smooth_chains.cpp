@@ -293,11 +293,25 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
         batch.take(input_, std::span<const RayPoint>(points).subspan(begin));
         const std::size_t count = batch.points().size();
         const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
-        surfaces_.run(batch, stokes, counts);
+        PointCounts of_ends;
+        surfaces_.run(batch, stokes, of_ends);
+        double shown = 0;  // sum of the squared factors from s0 of the ends to that of the image
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t c = 0; c < out.size(); ++c)
-                add_arriving(ends, ends.surfaces[begin + i].way, c, stokes[c][i], out);
+            const Way& way = ends.surfaces[begin + i].way;
+            for (std::size_t c = 0; c < out.size(); ++c) {
+                add_arriving(ends, way, c, stokes[c][i], out);
+                // The halves of samples that lobes take have the noise of what these meet.
+                if (way.half == kNoHalf) shown += std::pow(double{ends.matrices[way.matrices + c][0][0]}, 2);
+            }
         }
+        counts.shaded += of_ends.shaded;
+        counts.light_seconds += of_ends.light_seconds;
+        counts.lighting +=
+            {.rays = of_ends.lighting.rays,
+             .rays_spared = of_ends.lighting.rays_spared,
+             .values = 0,
+             .power = 0,
+             .noise = of_ends.lighting.noise * shown / static_cast<double>(count * out.size())};
     }
 }
 

@@ -16,6 +16,7 @@
 #include "shading/shade.hpp"
 #include "specular/high_order.hpp"
 #include "specular/high_order_layers.hpp"
+#include "stage/workers.hpp"
 #include "transfer/frame_rotation.hpp"
 #include "transfer/vertex_light.hpp"
 
@@ -54,6 +55,7 @@ struct PointCounts {
     std::size_t shaded = 0;  ///< number of shaded points
     LightingTally lighting{};
     LightingTally followed{};     ///< of the light that rays find for lobes
+    SurfaceTally surfaces{};      ///< of the image
     double light_seconds = 0;     ///< time of one thread for local lights, in seconds
     std::uint64_t ray_count = 0;  ///< number of rays from smooth surfaces
 };
