@@ -46,24 +46,30 @@ public:
           all_(input.layout, input.layout.kind(), components_) {}
 
     [[nodiscard]] std::size_t components() const noexcept { return components_; }
+    [[nodiscard]] BounceRows rows() const noexcept { return {.scalar = scalar_, .all = all_}; }
 
-    /// start(bounce, block, out): sets the light of the first bounce at a block of receivers.
-    template <class Start>
+    /// start(bounce, block, out): sets the light of the first bounce at a block of receivers. end(bounce,
+    /// block, rows, sum, out): see LastBounce.
+    template <class Start, class End>
     [[nodiscard]] BounceSeries run(std::size_t channel, std::size_t columns, double all, const Start& start,
-                                   RenderRun& run) const {
+                                   const End& end, RenderRun& run) const {
         const Bounce bounce(input_.scene.geometry, *input_.scene.directions, input_.surfaces, input_.tables,
                             arrival_, input_.layout, channel);
         LightColumns first(input_.surfaces.receivers(), input_.layout.size(), columns);
         run.workers.for_blocks(input_.surfaces.blocks(), verb_, run.progress,
-                               [&](std::size_t begin, std::size_t end) {
-                                   for (std::size_t b = begin; b < end; ++b) start(bounce, b, first);
+                               [&](std::size_t begin, std::size_t last) {
+                                   for (std::size_t b = begin; b < last; ++b) start(bounce, b, first);
                                });
-        return sum_bounces(bounce, input_.surfaces, scalar_, all_, std::move(first),
-                           {.verb = verb_,
-                            .bounces = input_.scene.bounces,
-                            .negligible = input_.scene.negligible_bounces,
-                            .all = all},
-                           run);
+        return sum_bounces(
+            bounce, input_.surfaces, scalar_, std::move(first),
+            [&](std::size_t block, const LightColumns* sum, LightColumns& out) {
+                end(bounce, block, sum, out);
+            },
+            {.verb = verb_,
+             .bounces = input_.scene.bounces,
+             .negligible = input_.scene.negligible_bounces,
+             .all = all},
+            run);
     }
 
 private:
@@ -128,9 +134,11 @@ std::vector<float> coverage_at_receivers(const BounceInput& input, RenderRun& ru
                         input.layout, 0);
     const LinkStokes ones(1, std::vector<glm::vec4>(surfaces.links().size(), glm::vec4(1, 0, 0, 0)));
     constexpr std::array<std::size_t, 1> channel{0};
+    const ReflectionRows scalar(input.layout, LightKind::unpolarized, 1);
     LightColumns columns(surfaces.receivers(), numbers, 1);
     run.workers.for_blocks(surfaces.blocks(), "bake", run.progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) bounce.gather(b, ones, channel, columns);
+        for (std::size_t b = begin; b < end; ++b)
+            bounce.gather(b, ones, channel, {.scalar = scalar, .all = scalar}, nullptr, columns);
     });
     std::vector<float> out(surfaces.receivers() * numbers);
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = columns.value(i / numbers, i % numbers, 0);
@@ -170,6 +178,9 @@ BounceColumns::BounceColumns(const BounceInput& input, std::optional<LightKind> 
                 groups_[g].front(), count, all,
                 [&](const Bounce& bounce, std::size_t block, LightColumns& out) {
                     bounce.reflect_vertices(block, first_rows, direct, out);
+                },
+                [&](const Bounce& bounce, std::size_t block, const LightColumns* sum, LightColumns& out) {
+                    bounce.reflect_all(block, passes.rows(), direct, sum, out);
                 },
                 run);
             rounds_ = std::max(rounds_, series.rounds);
@@ -244,7 +255,10 @@ LitSeries BounceColumns::sum(const BounceInput& input, const LinkStokes& lit, Re
         out.push_back(passes.run(
             channels.front(), channels.size(), 0,
             [&](const Bounce& bounce, std::size_t block, LightColumns& first) {
-                bounce.gather(block, lit, channels, first);
+                bounce.gather(block, lit, channels, passes.rows(), nullptr, first);
+            },
+            [&](const Bounce& bounce, std::size_t block, const LightColumns* sum, LightColumns& out) {
+                bounce.gather(block, lit, channels, passes.rows(), sum, out);
             },
             run));
     return out;

@@ -16,22 +16,42 @@
 namespace nicol {
 namespace {
 
-// Adds share x row x light to Stokes components, [component][Lanes of columns].
-[[gnu::always_inline]] inline void add_product(const float* row, std::size_t components, std::size_t numbers,
-                                               float share, const Lanes* light, std::size_t lanes,
-                                               Lanes* stokes) {
+// Adds share times the sum of row[j] * light[j * step]. Four sums side by side do not wait for each other.
+[[gnu::always_inline]] inline void add_dot_product(const float* row, std::size_t numbers, float share,
+                                                   const Lanes* light, std::size_t step, LaneVector& out) {
+    constexpr std::size_t sums = 4;
+    LaneVector of[sums] = {};
+    std::size_t j = 0;
+    for (; j + sums <= numbers; j += sums)
+        for (std::size_t k = 0; k < sums; ++k) {
+            LaneVector number;
+            load(light + (j + k) * step, number);
+            of[k] += row[j + k] * number;
+        }
+    for (; j < numbers; ++j) {
+        LaneVector number;
+        load(light + j * step, number);
+        of[0] += row[j] * number;
+    }
+    out += share * ((of[0] + of[1]) + (of[2] + of[3]));
+}
+
+// Adds rows x light to Stokes components, [component][Lanes of columns]. scalars: count of the numbers of s0;
+// weight: of the light; share: factor of the others' part of s0.
+[[gnu::always_inline]] inline void add_product(const float* rows, std::size_t row_size,
+                                               std::size_t components, std::size_t scalars,
+                                               std::size_t numbers, float weight, float share,
+                                               const Lanes* light, std::size_t lanes, Lanes* stokes) {
     for (std::size_t k = 0; k < lanes; ++k)
         for (std::size_t p = 0; p < components; ++p) {
-            LaneVector sum{};
-            for (std::size_t j = 0; j < numbers; ++j) {
-                LaneVector number;
-                load(light + j * lanes + k, number);
-                sum += row[p * numbers + j] * number;
-            }
-            LaneVector before;
-            load(stokes + p * lanes + k, before);
-            before += share * sum;
-            store(stokes + p * lanes + k, before);
+            const float* const row = rows + p * row_size;
+            LaneVector sum;
+            load(stokes + p * lanes + k, sum);
+            add_dot_product(row, scalars, weight, light + k, lanes, sum);
+            if (numbers > scalars)
+                add_dot_product(row + scalars, numbers - scalars, weight * (p == 0 ? share : 1.0F),
+                                light + scalars * lanes + k, lanes, sum);
+            store(stokes + p * lanes + k, sum);
         }
 }
 
@@ -51,24 +71,36 @@ Bounce::Bounce(const WorldGeometry& geometry, const DirectionSet& directions, co
       scalar_rotation_(scalar_layout_),
       channel_(channel) {}
 
+struct Bounce::BatchRows {
+    const LinkedSurfaces::Batch& batch;
+    const ReflectionRows& of;
+    const VertexLight& rows;
+};
+
 template <class Leave>
-void Bounce::arrive(std::size_t block, std::size_t components, LightColumns& out, const Leave& leave) const {
+void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
+                    const Leave& leave) const {
     const std::size_t lanes = out.lanes(), numbers = out.numbers(), first = block * kLanes;
     const std::size_t count = std::min(kLanes, surfaces_.receivers() - first);
-    const std::size_t size = components * lanes;
     std::array<glm::vec3, kLanes> normals;
     for (std::size_t i = 0; i < count; ++i) {
         normals[i] = geometry_.normals[surfaces_.vertices()[first + i]];
         std::fill_n(out.at(first + i), numbers * lanes, Lanes{});
     }
-    const std::span<Lanes> stokes = work_space<Bounce, Lanes>(kLanes * size);
-    for (const LinkedSurfaces::Batch& batch : surfaces_.batches(block)) {
+    const std::span<Lanes> stokes = work_space<Bounce, Lanes>(kLanes * components * lanes);
+    const std::size_t coarse_batches = surfaces_.coarse_batches(block).size();
+    const std::span batches = surfaces_.batches(block);
+    for (std::size_t b = 0; b < (only_coarse ? coarse_batches : batches.size()); ++b) {
+        const bool coarse = b < coarse_batches;
+        const std::size_t arriving = coarse ? components : 1;
         std::ranges::fill(stokes, Lanes{});
-        leave(batch, stokes.data());
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const SurfaceLink& link = surfaces_.links()[batch.first + i];
-            arrival_.add(link.direction, link.solid_angle, components, lanes, &stokes[i * size],
-                         out.at(link.receiver));
+        leave(batches[b], coarse, stokes.data());
+        for (std::size_t i = 0; i < batches[b].count; ++i) {
+            const SurfaceLink& link = surfaces_.links()[batches[b].first + i];
+            arrival_.add(link.direction,
+                         {.scalar = only_coarse ? link.coarse_solid_angle : link.solid_angle,
+                          .polarized = link.coarse_solid_angle},
+                         arriving, lanes, &stokes[i * arriving * lanes], out.at(link.receiver));
         }
     }
     const bool scalar = numbers == scalar_layout_.size();
@@ -84,8 +116,8 @@ void Bounce::arrive(std::size_t block, std::size_t components, LightColumns& out
     put_columns(light, 0, first, out);
 }
 
-void Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows,
-                       VertexLight& out) const {
+Bounce::BatchRows Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const {
+    thread_local VertexLight out;
     std::array<glm::vec3, kLanes> sights, normals;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const SurfaceLink& link = surfaces_.links()[batch.first + i];
@@ -102,49 +134,83 @@ void Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows&
         layers.push_back(&tables_.at(material));
     rows.run(layers, surfaces_.weights(batch), channel_, frames_, std::span(sights).first(batch.count),
              std::span(normals).first(batch.count), out);
+    return {.batch = batch, .of = rows, .rows = out};
 }
 
-template <class Visit>
-void Bounce::reflect(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
-                     LightColumns& out, const Visit& visit) const {
-    thread_local VertexLight factors;
-    const std::size_t lanes = light.lanes(), size = rows.components() * lanes;
-    arrive(block, rows.components(), out, [&](const LinkedSurfaces::Batch& batch, Lanes* stokes) {
-        find_rows(batch, rows, factors);
-        for (std::size_t i = 0; i < batch.count; ++i)
-            visit(batch.first + i, [&](std::size_t point, float share) {
-                dispatch<add_product>(factors.row(i), rows.components(), light.numbers(), share,
-                                      light.at(point), lanes, stokes + i * size);
-            });
-    });
+template <class Points>
+void Bounce::add_reflected(const BatchRows& rows, bool only_coarse, const LightColumns& light,
+                           const Points& points, Lanes* stokes) const {
+    const std::size_t components = rows.of.components(), lanes = light.lanes();
+    const std::size_t numbers = std::min(light.numbers(), rows.of.light().size());
+    for (std::size_t i = 0; i < rows.batch.count; ++i) {
+        const std::size_t index = rows.batch.first + i;
+        // s0 arrives in the solid angle of all links, but its part that polarization makes by coarse links.
+        const SurfaceLink& link = surfaces_.links()[index];
+        const float share = only_coarse ? 1.0F : link.coarse_solid_angle / link.solid_angle;
+        points(index, [&](std::uint32_t at, float weight) {
+            dispatch<add_product>(rows.rows.row(i), rows.of.light().size(), components, scalar_layout_.size(),
+                                  numbers, weight, share, light.at(at), lanes,
+                                  stokes + i * components * lanes);
+        });
+    }
 }
 
 void Bounce::reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                               LightColumns& out) const {
-    reflect(block, rows, light, out, [&](std::size_t index, const auto& add) {
+    const auto corners = [&](std::size_t index, const auto& add) {
         const SurfaceLink& link = surfaces_.links()[index];
-        const glm::vec3 shares = corner_weights(link);
-        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], shares[k]);
-    });
+        const glm::vec3 weights = corner_weights(link);
+        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], weights[k]);
+    };
+    arrive(block, true, rows.components(), out,
+           [&](const LinkedSurfaces::Batch& batch, bool /*coarse*/, Lanes* stokes) {
+               add_reflected(find_rows(batch, rows), true, light, corners, stokes);
+           });
 }
 
 void Bounce::reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                                LightColumns& out) const {
-    reflect(block, rows, light, out, [&](std::size_t index, const auto& add) {
-        const std::uint32_t receiver = surfaces_.receiver_at(index);
-        if (receiver != kNoVertex) add(receiver, 1.0F);
-    });
+    const auto receivers = [&](std::size_t index, const auto& add) {
+        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
+    };
+    arrive(block, true, rows.components(), out,
+           [&](const LinkedSurfaces::Batch& batch, bool /*coarse*/, Lanes* stokes) {
+               add_reflected(find_rows(batch, rows), true, light, receivers, stokes);
+           });
+}
+
+void Bounce::reflect_all(std::size_t block, const BounceRows& rows, const LightColumns& light,
+                         const LightColumns* bounced, LightColumns& out) const {
+    const auto corners = [&](std::size_t index, const auto& add) {
+        const SurfaceLink& link = surfaces_.links()[index];
+        const glm::vec3 weights = corner_weights(link);
+        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], weights[k]);
+    };
+    const auto receivers = [&](std::size_t index, const auto& add) {
+        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
+    };
+    arrive(block, false, rows.all.components(), out,
+           [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* stokes) {
+               const BatchRows found = find_rows(batch, coarse ? rows.all : rows.scalar);
+               add_reflected(found, false, light, corners, stokes);
+               if (bounced != nullptr) add_reflected(found, false, *bounced, receivers, stokes);
+           });
 }
 
 void Bounce::gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
-                    LightColumns& out) const {
-    constexpr std::size_t components = 4;
-    const std::size_t lanes = out.lanes();
-    arrive(block, components, out, [&](const LinkedSurfaces::Batch& batch, Lanes* to) {
+                    const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const {
+    const auto receivers = [&](std::size_t index, const auto& add) {
+        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
+    };
+    const std::size_t components = rows.all.components(), lanes = out.lanes();
+    arrive(block, false, components, out, [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* to) {
+        if (bounced != nullptr)
+            add_reflected(find_rows(batch, coarse ? rows.all : rows.scalar), false, *bounced, receivers, to);
+        const std::size_t arriving = coarse ? components : 1;
         for (std::size_t i = 0; i < batch.count; ++i)
             for (std::size_t c = 0; c < channels.size(); ++c)
-                for (std::size_t p = 0; p < components; ++p)
-                    to[(i * components + p) * lanes + c / kLanes][c % kLanes] =
+                for (std::size_t p = 0; p < arriving; ++p)
+                    to[(i * arriving + p) * lanes + c / kLanes][c % kLanes] +=
                         stokes[channels[c]][batch.first + i][static_cast<glm::length_t>(p)];
     });
 }
@@ -200,25 +266,26 @@ Tail tail_of(const LightColumns& before, const LightColumns& after, std::size_t 
 }  // namespace
 
 BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces, const ReflectionRows& scalar,
-                         const ReflectionRows& all, LightColumns first, const SeriesEnd& end,
-                         RenderRun& run) {
+                         LightColumns first, const LastBounce& last, const SeriesEnd& end, RenderRun& run) {
     const std::size_t columns = first.columns(), scalars = scalar.light().size();
     BounceSeries out;
     out.rounds = 1;
     out.left.assign(columns, 0.0);
-    out.light = std::move(first);
-    if (end.bounces == 1) return out;
-
     const auto for_blocks = [&](const auto& body) {
         run.workers.for_blocks(surfaces.blocks(), end.verb, run.progress,
                                [&](std::size_t begin, std::size_t last) {
                                    for (std::size_t b = begin; b < last; ++b) body(b);
                                });
     };
-    LightColumns sum = out.light;
+    LightColumns sum = std::move(first);
+    out.light = LightColumns(surfaces.receivers(), sum.numbers(), columns);
+    if (end.bounces == 1) {
+        for_blocks([&](std::size_t b) { last(b, nullptr, out.light); });
+        return out;
+    }
     LightColumns before(surfaces.receivers(), scalars, columns), after = before;
     for (std::size_t r = 0; r < surfaces.receivers(); ++r)
-        std::copy_n(out.light.at(r), scalars * before.lanes(), before.at(r));
+        std::copy_n(sum.at(r), scalars * before.lanes(), before.at(r));
     std::vector<Tail> tails(columns);
     // The last bounce is that of all components below.
     while (++out.rounds < end.bounces) {
@@ -250,11 +317,7 @@ BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces, c
         ++out.rounds;
         break;
     }
-    LightColumns last(surfaces.receivers(), sum.numbers(), columns);
-    for_blocks([&](std::size_t b) { bounce.reflect_receivers(b, all, sum, last); });
-    for (std::size_t r = 0; r < surfaces.receivers(); ++r)
-        for (std::size_t j = 0; j < sum.numbers() * sum.lanes(); ++j)
-            for (std::size_t i = 0; i < kLanes; ++i) out.light.at(r)[j][i] += last.at(r)[j][i];
+    for_blocks([&](std::size_t b) { last(b, &sum, out.light); });
     return out;
 }
 

@@ -21,7 +21,16 @@ namespace nicol {
 
 using BounceTables = std::map<MaterialPtr, ResponseTable>;
 
+/// Rows of reflection at the ends of links.
+struct BounceRows {
+    const ReflectionRows& scalar;  ///< from s0 to s0
+    const ReflectionRows& all;     ///< from all numbers of the layout to all components
+};
+
 /// Bounces of one channel. Works on blocks of sixteen receivers; immutable, so that threads share it.
+///
+/// Light arrives by coarse links alone, or by all links: then s0 that surfaces reflect of s0 arrives by all
+/// of them, and polarization, which is weak, by coarse ones.
 class Bounce {
 public:
     /// The arguments must outlive the object. tables: of plain_materials(), with the arrival's layout.
@@ -29,28 +38,37 @@ public:
            const BounceTables& tables, const ArrivingLight& arrival, const LightLayout& layout,
            std::size_t channel);
 
-    /// Sets the lights that arrive at a block of receivers to what surfaces reflect of light at the
-    /// geometry's vertices, of these components. out: all numbers of the layout.
+    /// Sets the lights that arrive at a block of receivers, by coarse links alone, to what surfaces reflect
+    /// of light at the geometry's vertices, of the rows' components. out: all numbers of the layout.
     void reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                           LightColumns& out) const;
     /// Does the same for bounced light, which the receivers have.
     void reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                            LightColumns& out) const;
-    /// Sets the lights that arrive at a block of receivers to given Stokes vectors of links. channels: one
-    /// for each column.
+    /// Sets the lights that arrive at a block of receivers, by all links, to what surfaces reflect of light
+    /// at vertices and of bounced light; null: there is none.
+    void reflect_all(std::size_t block, const BounceRows& rows, const LightColumns& light,
+                     const LightColumns* bounced, LightColumns& out) const;
+    /// Sets the lights that arrive at a block of receivers, by all links, to given Stokes vectors of links
+    /// and what surfaces reflect of bounced light; null: there is none. channels: one for each column.
     void gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
-                LightColumns& out) const;
+                const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const;
 
 private:
-    /// leave(batch, stokes): sets the Stokes vectors that leave along a batch's links,
-    /// [link][component][Lanes of columns].
+    /// Rows of a batch of links, [link][component][number].
+    struct BatchRows;
+
+    /// leave(batch, coarse, stokes): adds the Stokes vectors that leave along a batch's links, [link]
+    /// [component][Lanes of columns]: all components of coarse links, s0 of others. only_coarse: whether
+    /// light arrives by coarse links alone.
     template <class Leave>
-    void arrive(std::size_t block, std::size_t components, LightColumns& out, const Leave& leave) const;
-    /// visit(link, add): calls add(point, share) for the points whose light leaves where a link ends.
-    template <class Visit>
-    void reflect(std::size_t block, const ReflectionRows& rows, const LightColumns& light, LightColumns& out,
-                 const Visit& visit) const;
-    void find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, VertexLight& out) const;
+    void arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
+                const Leave& leave) const;
+    /// Adds what leaves along links of light at points. points(link, add): calls add(point, weight) for each.
+    template <class Points>
+    void add_reflected(const BatchRows& rows, bool only_coarse, const LightColumns& light,
+                       const Points& points, Lanes* stokes) const;
+    [[nodiscard]] BatchRows find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const;
 
     const WorldGeometry& geometry_;
     const DirectionSet& directions_;
@@ -80,13 +98,17 @@ struct BounceSeries {
     std::vector<double> left;  ///< sum over receivers of each column's estimated squared error, as `all`
 };
 
-/// Sums the bounces. first: light that arrives by the first bounce; all numbers of the layout.
-/// scalar: rows from s0 to s0; all: rows from all numbers to all components. s0 bounces until the end; the
-/// polarization of light survives one more bounce, because a surface that reflects twice leaves little of
-/// it. In the end, bounces are a geometric series, whose ratio the last two tell: its sum replaces the
-/// bounces that are left out.
+/// Sets the light of all bounces at a block of receivers. sum: all bounces but the last; null: there is one
+/// bounce.
+using LastBounce = std::function<void(std::size_t block, const LightColumns* sum, LightColumns& out)>;
+
+/// Sums the bounces. first: light that arrives by the first bounce, which continues to bounce; all numbers of
+/// the layout. s0 bounces along coarse links until the end; the polarization of light survives one more
+/// bounce, because a surface that reflects twice leaves little of it. `last` takes all links, over which the
+/// noise of the others averages. In the end, bounces are a geometric series, whose ratio the last two tell:
+/// its sum replaces the bounces that are left out.
 [[nodiscard]] BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces,
-                                       const ReflectionRows& scalar, const ReflectionRows& all,
-                                       LightColumns first, const SeriesEnd& end, RenderRun& run);
+                                       const ReflectionRows& scalar, LightColumns first,
+                                       const LastBounce& last, const SeriesEnd& end, RenderRun& run);
 
 }  // namespace nicol

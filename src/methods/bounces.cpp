@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 #include <utility>
 
@@ -146,9 +147,9 @@ void Bounces::clear() {
 }
 
 void Bounces::project(const TransferInput& input, RenderRun& run) {
-    layout_.emplace(std::min(kBounceOrder, input.layout.order()), input.layout.kind());
+    layout_.emplace(std::min(kBounceOrder, input.layout.order()), input.bounced);
     tables_.project(input, {}, *layout_, run);
-    places_ = places_in(*layout_, input.layout);
+    places_ = input.bounces_apart ? std::vector<std::size_t>() : places_in(*layout_, input.layout);
 }
 
 void Bounces::bake(const TransferInput& input, RenderRun& run) {
@@ -183,7 +184,7 @@ void Bounces::relight(const TransferInput& input, RenderRun& run) {
     light_links(input, run);
     const bool changed = relighting_.run(columns_.version(), input.light_version, lit_.version(),
                                          input.at_pixels, makes_rows_, input.bounces_apart, [&] {
-                                             combine(input);
+                                             combine(input, run);
                                              interpolate(input, run);
                                          });
     if (changed) run.statistics.bounce_ms += watch.milliseconds();
@@ -213,7 +214,7 @@ void Bounces::light_links(const TransferInput& input, RenderRun& run) {
     });
 }
 
-void Bounces::combine(const TransferInput& input) {
+void Bounces::combine(const TransferInput& input, RenderRun& run) {
     const std::size_t numbers = layout_->size();
     const auto channels = static_cast<std::size_t>(input.channels);
     const std::vector<float> light = columns_->numbers_of(input.light, input.channels);
@@ -221,8 +222,8 @@ void Bounces::combine(const TransferInput& input) {
     // Coverage by surfaces is one channel more.
     const std::size_t size = (channels + (makes_rows_ ? 1 : 0)) * numbers;
     at_receivers_.assign(links_->receivers() * size, 0.0F);
-    double all = 0, bounced = 0, left = columns_->left(light);
-    for (std::size_t r = 0; r < links_->receivers(); ++r) {
+    std::vector<glm::dvec2> powers(links_->receivers());  // of bounced and of all light
+    const auto combine_at = [&](std::size_t r) {
         const std::span row = std::span(at_receivers_).subspan(r * size, channels * numbers);
         if (makes_rows_)
             std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
@@ -235,9 +236,17 @@ void Bounces::combine(const TransferInput& input) {
             const auto own = double{row[c * numbers]};
             const double local = local_.empty() ? 0.0 : double{local_[r * channels + c]};
             const double both = own + local + columns_->direct(r, light.data() + c * lights);
-            bounced += own * own;
-            all += both * both;
+            powers[r] += glm::dvec2(own * own, both * both);
         }
+    };
+    run.workers.for_vertices(0, powers.size(), powers.size(), "relight", run.progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 for (std::size_t r = begin; r < end; ++r) combine_at(r);
+                             });
+    double all = 0, bounced = 0, left = columns_->left(light);
+    for (const glm::dvec2& power : powers) {
+        bounced += power.x;
+        all += power.y;
     }
     for (const BounceSeries& series : *lit_)
         for (const double error : series.left) left += error;
@@ -321,11 +330,11 @@ std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind
     const std::uint64_t lights = light ? LightLayout(kBouncingOrder, *light).size() : 0;
     const std::uint64_t light_of_one = planes * numbers * sizeof(float);
     const std::uint64_t coverage = numbers * sizeof(float);
-    // Links to all strata, the map for materials that differ in all channels, the light of local lights and
-    // all light, both with coverage.
-    const std::uint64_t receiver = kLinkStrata * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
-                                   (planes * numbers + 1) * lights * sizeof(float) +
-                                   2 * (light_of_one + coverage);
+    // Links to all parts of strata, the map for materials that differ in all channels, the light of local
+    // lights and all light, both with coverage.
+    const std::uint64_t receiver =
+        kLinkStrata * kPartsOfStratum * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
+        (planes * numbers + 1) * lights * sizeof(float) + 2 * (light_of_one + coverage);
     // The light, and the rows for sampled terms.
     return receiver / kVerticesOfReceiver + 2 * light_of_one + coverage + sizeof(Receivers::Blend);
 }

@@ -64,7 +64,7 @@ public:
 private:
     void light_links(const TransferInput& input, RenderRun& run);
     /// Sets at_receivers_ and the shares of bounced light.
-    void combine(const TransferInput& input);
+    void combine(const TransferInput& input, RenderRun& run);
     /// Interpolates at_receivers_ at the vertices.
     void interpolate(const TransferInput& input, RenderRun& run);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <tuple>
 #include <utility>
 
 #include "material/sampled_terms.hpp"
@@ -67,20 +68,27 @@ LinkedSurfaces::LinkedSurfaces(const WorldGeometry& geometry, Receivers receiver
         std::vector<std::pair<std::uint32_t, SurfaceLink>> sorted;
         for (std::size_t k = begin; k < links.size() && links[k].receiver / kLanes == block; ++k)
             sorted.emplace_back(range_at(links[k]), links[k]);
+        const auto coarse = [](const SurfaceLink& link) { return link.coarse_solid_angle > 0; };
         // Links in equal directions end close to each other, so that they use the same memory.
-        std::ranges::stable_sort(
-            sorted, {}, [](const auto& pair) { return std::pair(pair.first, pair.second.direction); });
+        std::ranges::stable_sort(sorted, {}, [&](const auto& pair) {
+            return std::tuple(!coarse(pair.second), pair.first, pair.second.direction);
+        });
         firsts_.resize(block + 1, batches_.size());
+        coarse_.resize(block + 1);
         for (std::size_t k = 0; k < sorted.size(); ++k) {
             const std::uint32_t range = sorted[k].first;
             links[begin + k] = sorted[k].second;
-            if (k == 0 || batches_.back().range != range || batches_.back().count == kLanes)
+            if (k == 0 || batches_.back().range != range || batches_.back().count == kLanes ||
+                coarse(sorted[k].second) != coarse(sorted[k - 1].second)) {
                 batches_.push_back({.range = range, .count = 0, .first = begin + k});
+                if (coarse(sorted[k].second)) ++coarse_[block];
+            }
             ++batches_.back().count;
         }
         begin += sorted.size();
     }
     firsts_.resize(blocks() + 1, batches_.size());
+    coarse_.resize(blocks());
     ends_.reserve(links.size());
     for (std::size_t k = 0; k < links.size(); ++k) {
         const std::size_t corner = chosen(corner_weights(links[k]), 3, chance(k, 0));
@@ -121,7 +129,8 @@ std::span<const LayerWeights> LinkedSurfaces::weights(const Batch& batch) const 
 std::size_t LinkedSurfaces::bytes() const noexcept {
     return links().size() * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
            blends().size() * sizeof(Receivers::Blend) + receivers() * sizeof(std::uint32_t) +
-           batches_.size() * (sizeof(Batch) + sizeof(std::size_t)) + weights_.size() * sizeof(LayerWeights);
+           batches_.size() * (sizeof(Batch) + 2 * sizeof(std::size_t)) +
+           weights_.size() * sizeof(LayerWeights);
 }
 
 glm::vec3 normal_at_end(const WorldGeometry& geometry, const SurfaceLink& link, const glm::vec3& direction) {

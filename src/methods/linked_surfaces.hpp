@@ -20,7 +20,7 @@ namespace nicol {
 /// Receivers of a scene and their links, sixteen receivers a block.
 class LinkedSurfaces {
 public:
-    /// Links of one block that end at one material, at most kLanes.
+    /// Links of one block that end at one material, at most kLanes. Either all or none are coarse.
     struct Batch {
         std::uint32_t range;  ///< index of a range of the material
         std::uint32_t count;
@@ -46,6 +46,10 @@ public:
     [[nodiscard]] std::span<const Batch> batches(std::size_t block) const {
         return std::span(batches_).subspan(firsts_[block], firsts_[block + 1] - firsts_[block]);
     }
+    /// Returns the leading batches of a block, those of coarse links.
+    [[nodiscard]] std::span<const Batch> coarse_batches(std::size_t block) const {
+        return batches(block).first(coarse_[block]);
+    }
     /// Returns the weights of the layers where a batch's links end; empty: the material has no texture.
     [[nodiscard]] std::span<const LayerWeights> weights(const Batch& batch) const;
     /// Returns whether all weights are equal in all channels.
@@ -57,6 +61,7 @@ private:
     std::vector<std::uint32_t> ends_;
     std::vector<Batch> batches_;
     std::vector<std::size_t> firsts_;  // first batch of each block, and the number of batches
+    std::vector<std::size_t> coarse_;  // number of batches of coarse links of each block
     std::vector<LayerWeights> weights_;
     std::vector<std::size_t> first_weights_;  // of each batch, and the number of weights
     bool grey_ = true;

@@ -141,17 +141,26 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     rays_.release();
     sampled_ = local_lights_.any() || follows_smooth(options, executor);
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
+    // Only low orders bounce, so their polarization says nothing of the light's high orders.
+    const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
+                           light_kind(split_.rest().get()) != LightKind::unpolarized;
+    // If bounces alone are polarized, they stay apart: direct light then needs no orders of s1 and s2.
+    const bool apart =
+        bounces > 0 && pixels_ && follows_rays && (smooth_.any() ? smooth_.mirrors() : !polarized);
+    direct_layout_.emplace(light_.layout().order(),
+                           apart && !polarized ? LightKind::unpolarized : light_.layout().kind());
     TransferInput input{
         surfaces,
-        light_.layout(),
+        *direct_layout_,
         *light_.rotated(),
         light_.rotated().version(),
         scene.channels(),
         sampled,
         pixels_,
         follows_lobes,
-        bounces > 0 && pixels_ && follows_smooth(options, executor) && smooth_.mirrors(),
+        apart,
         bounces,
+        light_.layout().kind(),
         options.tolerance / kBouncesOfTolerance,
         local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
@@ -163,9 +172,6 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if (skips_hidden(given) && executor.can_choose() &&
         (!follows_smooth(given, executor) || !shows_others(surfaces.geometry, shown(), wants_lobes(given))))
         input.seen = shown;
-    // Only low orders bounce, so their polarization says nothing of the light's high orders.
-    const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
-                           light_kind(split_.rest().get()) != LightKind::unpolarized;
     const DistantLight distant{.coefficients = *light_.distant(),
                                .version = light_.distant().version(),
                                .low = options.order_low,

@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -117,6 +118,7 @@ private:
     KeptProjection projection_;  // of the light that remains after the split
     OrderSelector selector_;
     LightProjection light_;
+    std::optional<LightLayout> direct_layout_;  // layout of the light that vertices keep
     FactoredMethod factored_;
     DenseMethod dense_;
     HighOrderTransfer high_orders_;

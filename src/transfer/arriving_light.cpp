@@ -63,20 +63,21 @@ ArrivingLight::ArrivingLight(const LightLayout& layout, std::span<const glm::vec
     }
 }
 
-void ArrivingLight::add(std::size_t direction, float solid_angle, std::size_t components, std::size_t lanes,
-                        const Lanes* stokes, Lanes* numbers) const {
+void ArrivingLight::add(std::size_t direction, const SolidAngles& solid_angles, std::size_t components,
+                        std::size_t lanes, const Lanes* stokes, Lanes* numbers) const {
     const float* const s0 = data_.data() + direction * stride_;
     const float* const s1 = s0 + spin_;
     const float* const s2 = s1 + (s3_ - spin_);
     for (std::size_t k = 0; k < lanes; ++k) {
         const Lanes* const light = stokes + k;
-        dispatch<add_part>(s0, spin_, solid_angle, light, numbers + k, lanes);
+        dispatch<add_part>(s0, spin_, solid_angles.scalar, light, numbers + k, lanes);
         if (components < 3 || s3_ == spin_) continue;
         Lanes* const spin = numbers + spin_ * lanes + k;
-        dispatch<add_part>(s1, s3_ - spin_, solid_angle, light + lanes, spin, lanes);
-        dispatch<add_part>(s2, s3_ - spin_, solid_angle, light + 2 * lanes, spin, lanes);
+        dispatch<add_part>(s1, s3_ - spin_, solid_angles.polarized, light + lanes, spin, lanes);
+        dispatch<add_part>(s2, s3_ - spin_, solid_angles.polarized, light + 2 * lanes, spin, lanes);
         if (components == 4 && size_ > s3_)
-            dispatch<add_part>(s0, spin_, solid_angle, light + 3 * lanes, numbers + s3_ * lanes + k, lanes);
+            dispatch<add_part>(s0, spin_, solid_angles.polarized, light + 3 * lanes,
+                               numbers + s3_ * lanes + k, lanes);
     }
 }
 

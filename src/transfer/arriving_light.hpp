@@ -21,11 +21,16 @@ public:
     /// `frames`.
     ArrivingLight(const LightLayout& layout, std::span<const glm::vec3> directions, const Viewpoint& frames);
 
-    /// Adds lights from a direction, in a solid angle, to their numbers, [number][Lanes of lights]. stokes:
+    /// Solid angles of a direction.
+    struct SolidAngles {
+        float scalar;     ///< of s0
+        float polarized;  ///< of s1, s2 and s3
+    };
+    /// Adds lights from a direction, in solid angles, to their numbers, [number][Lanes of lights]. stokes:
     /// [component][Lanes of lights], as many components (1, 3 or 4) as `components`. With one component, only
     /// the numbers of s0 are changed.
-    void add(std::size_t direction, float solid_angle, std::size_t components, std::size_t lanes,
-             const Lanes* stokes, Lanes* numbers) const;
+    void add(std::size_t direction, const SolidAngles& solid_angles, std::size_t components,
+             std::size_t lanes, const Lanes* stokes, Lanes* numbers) const;
     /// Returns how many numbers s0 has.
     [[nodiscard]] std::size_t scalars() const noexcept { return spin_; }
 

@@ -188,6 +188,9 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
         const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
         choice = choose(geometry, search, order, scale, limit, progress);
     }
+    tbb::parallel_for(std::size_t{0}, choice.receivers.size(), [&](std::size_t k) {
+        search.refine(choice.receivers[k].vertex, choice.receivers[k].links);
+    });
     Receivers out;
     ReceiverGrid grid(scale);
     std::vector<std::uint32_t> own(visibility.vertices(), kNoVertex);  // receiver of each vertex that is one

@@ -20,6 +20,8 @@ struct SurfaceLink {
     std::uint32_t triangle;   ///< triangle of the point
     float b1, b2;             ///< barycentric weights of its corners 1 and 2; corner 0 has the rest
     float solid_angle;        ///< solid angle of the blocked directions that the link stands for
+    /// Solid angle that the link stands for where coarse links serve alone; 0: the link is not coarse.
+    float coarse_solid_angle;
 };
 
 /// Triangles of a geometry by the side that they show.
@@ -28,8 +30,10 @@ struct TriangleSides {
     std::vector<std::uint32_t> backs;   ///< the backs of two-sided surfaces
 };
 
-/// Number of strata of directions over the sphere.
+/// Number of strata of directions over the sphere, each with one coarse link at most.
 inline constexpr std::size_t kLinkStrata = 128;
+/// Number of parts of a stratum, each with one link at most.
+inline constexpr std::size_t kPartsOfStratum = 4;
 
 /// Search for the links of vertices. Immutable; threads share it.
 class LinkSearch {
@@ -44,18 +48,29 @@ public:
     /// Unit normals of all vertices.
     [[nodiscard]] std::span<const glm::vec3> normals() const noexcept { return normals_; }
 
-    /// Sets links to those of a vertex; their `receiver` is 0. The sphere of directions has kLinkStrata
-    /// strata; a vertex has one link for each stratum with blocked directions, in one of them that is chosen
-    /// as if by chance. A ray that meets the back of a one-sided surface meets nothing that leaves light, so
-    /// it has no link. Returns the harmonic mean of the links' lengths; 0: there is no link.
+    /// Sets links to the coarse ones of a vertex; their `receiver` is 0. The sphere of directions has
+    /// kLinkStrata strata; a vertex has one coarse link for each stratum with blocked directions, in one of
+    /// them that is chosen as if by chance. A ray that meets the back of a one-sided surface meets nothing
+    /// that leaves light, so it has no link. Returns the harmonic mean of the links' lengths; 0: there is no
+    /// link.
     float find(std::size_t vertex, std::vector<SurfaceLink>& links) const;
+    /// Adds the other links of a vertex to the coarse ones that find() has set: one for each part of a
+    /// stratum with blocked directions but no coarse link.
+    void refine(std::size_t vertex, std::vector<SurfaceLink>& links) const;
 
 private:
     class Triangles;
     class Points;
 
+    /// Sets blocked to the blocked directions first <= d < last of a vertex. Returns their solid angle.
+    float find_blocked(std::size_t vertex, std::size_t first, std::size_t last,
+                       std::vector<std::uint32_t>& blocked) const;
+    /// Adds a link with its end. Returns its length; 0: nothing leaves light there, and no link is added.
+    float add(std::size_t vertex, SurfaceLink link, std::vector<SurfaceLink>& links) const;
+
     const DirectionSet& directions_;
     const Visibility& visibility_;
+    std::size_t stratum_size_;  // directions of a stratum
     std::vector<glm::vec3> normals_;
     std::vector<glm::vec3> origins_;
     std::unique_ptr<const Points> points_;

@@ -39,6 +39,7 @@ Viewpoint some_frames() {
 // Lights that arrive, in the frame field of some_frames(): the third of sixteen has a Stokes vector.
 using Arriving = std::array<Lanes, 4>;
 constexpr std::size_t kColumn = 2;
+constexpr ArrivingLight::SolidAngles kSolidAngles{.scalar = 0.1F, .polarized = 0.1F};
 
 // Returns the light from a direction.
 Arriving arriving(const Stokes& in_theta_phi, const glm::dvec3& direction) {
@@ -61,7 +62,8 @@ TEST_CASE("light that arrives from all directions has its coefficients") {
         std::vector<Lanes> numbers(layout.size(), Lanes{});
         for (std::size_t d = 0; d < directions.size(); ++d) {
             const glm::dvec3 direction(directions.directions()[d]);
-            arrival.add(d, directions.weights()[d], 4, 1,
+            const float weight = directions.weights()[d];
+            arrival.add(d, {.scalar = weight, .polarized = weight}, 4, 1,
                         arriving(evaluate(field, 0, -direction), direction).data(), numbers.data());
         }
         for (std::size_t j = 0; j < numbers.size(); ++j)
@@ -76,10 +78,15 @@ TEST_CASE("s0 alone arrives as it does with the other components") {
     const ArrivingLight arrival(layout, directions, some_frames());
     const Arriving light = arriving({2, 0.7, -0.4, 0}, glm::dvec3(directions[0]));
     std::vector<Lanes> all(layout.size(), Lanes{}), scalars(layout.size(), Lanes{});
-    arrival.add(0, 0.1F, 3, 1, light.data(), all.data());
-    arrival.add(0, 0.1F, 1, 1, light.data(), scalars.data());
+    arrival.add(0, kSolidAngles, 3, 1, light.data(), all.data());
+    arrival.add(0, kSolidAngles, 1, 1, light.data(), scalars.data());
     for (std::size_t j = 0; j < layout.size(); ++j)
         CHECK(scalars[j][kColumn] == (j < layout.spin_begin() ? all[j][kColumn] : 0.0F));
+    std::vector<Lanes> apart(layout.size(), Lanes{});
+    arrival.add(0, {.scalar = 0.2F, .polarized = 0.3F}, 3, 1, light.data(), apart.data());
+    for (std::size_t j = 0; j < layout.size(); ++j)
+        CHECK(apart[j][kColumn] ==
+              doctest::Approx((j < layout.spin_begin() ? 2.0F : 3.0F) * all[j][kColumn]).epsilon(1e-5));
 }
 
 TEST_CASE("the mirror image is the light that a mirror in the surface's plane would send from below") {
@@ -90,11 +97,11 @@ TEST_CASE("the mirror image is the light that a mirror in the surface's plane wo
     const Stokes light{2, 0.7, -0.4, 0.5};
     const Stokes image{light.x, light.y, -light.z, -light.w};
     std::vector<Lanes> both(layout.size(), Lanes{});
-    arrival.add(0, 0.1F, 4, 1, arriving(light, glm::dvec3(above)).data(), both.data());
+    arrival.add(0, kSolidAngles, 4, 1, arriving(light, glm::dvec3(above)).data(), both.data());
     VertexLight lanes(layout, 1, 1);
     for (std::size_t j = 0; j < layout.size(); ++j) lanes.block(0, 0)[j].value.fill(both[j][kColumn]);
     add_mirror_image(layout, lanes, 0);
-    arrival.add(1, 0.1F, 4, 1, arriving(image, glm::dvec3(directions[1])).data(), both.data());
+    arrival.add(1, kSolidAngles, 4, 1, arriving(image, glm::dvec3(directions[1])).data(), both.data());
     for (std::size_t j = 0; j < layout.size(); ++j)
         CHECK(lanes.block(0, 0)[j][5] == doctest::Approx(both[j][kColumn]).epsilon(1e-4));
 }

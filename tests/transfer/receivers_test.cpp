@@ -107,6 +107,7 @@ TEST_CASE("links belong to their receivers, in order") {
     for (std::uint32_t r = 0; r < receivers.vertices.size(); ++r) {
         chosen.search.find(receivers.vertices[r], own);
         CHECK(!own.empty());
+        chosen.search.refine(receivers.vertices[r], own);
         for (const SurfaceLink& link : own) {
             REQUIRE(k < receivers.links.size());
             CHECK(receivers.links[k].receiver == r);

@@ -66,6 +66,58 @@ TEST_CASE("links lead along their directions to the surface, and stand for all t
     }
 }
 
+TEST_CASE("all links stand for what coarse links stand for, in parts of their strata") {
+    const Slot slot;
+    const DirectionSet directions(2048);
+    const BakeGeometry geometry = slot.geometry();
+    const Visibility visibility = bake(geometry, directions);
+    const LinkSearch search(geometry, slot.sides, directions, visibility);
+    std::vector<SurfaceLink> links;
+    search.find(8, links);
+    const std::vector<SurfaceLink> coarse = links;
+    search.refine(8, links);
+    CHECK(links.size() > 2 * coarse.size());
+    CHECK(links.size() <= kPartsOfStratum * kLinkStrata);
+    CHECK(solid_angle(links) == doctest::Approx(solid_angle(coarse)).epsilon(1e-5));
+    for (std::size_t k = 0; k < links.size(); ++k) {
+        CHECK(links[k].solid_angle > 0);
+        if (k < coarse.size()) {
+            CHECK(links[k].direction == coarse[k].direction);
+            CHECK(links[k].coarse_solid_angle == coarse[k].solid_angle);
+        } else {
+            CHECK(links[k].coarse_solid_angle == 0);
+        }
+    }
+}
+
+TEST_CASE("links estimate the irradiance of a ceiling that emits 1 without bias, and all links better") {
+    const Slot slot;
+    const BakeGeometry geometry = slot.geometry();
+    double all = 0, coarse = 0, all_error = 0, coarse_error = 0;
+    constexpr int sets = 24;
+    for (int set = 0; set < sets; ++set) {
+        const DirectionSet directions(1024 + 64 * set);
+        const Visibility visibility = bake(geometry, directions);
+        const LinkSearch search(geometry, slot.sides, directions, visibility);
+        std::vector<SurfaceLink> links;
+        search.find(8, links);
+        search.refine(8, links);
+        double of_all = 0, of_coarse = 0;
+        for (const SurfaceLink& link : links) {
+            const double cosine = double{directions.directions()[link.direction].z} / std::numbers::pi;
+            of_all += double{link.solid_angle} * cosine;
+            of_coarse += double{link.coarse_solid_angle} * cosine;
+        }
+        all += of_all / sets;
+        coarse += of_coarse / sets;
+        all_error += (of_all - 1) * (of_all - 1);
+        coarse_error += (of_coarse - 1) * (of_coarse - 1);
+    }
+    CHECK(all == doctest::Approx(1).epsilon(0.005));
+    CHECK(coarse == doctest::Approx(1).epsilon(0.02));
+    CHECK(all_error < coarse_error / 3);
+}
+
 TEST_CASE(
     "nothing leaves the back of a one-sided surface; that of a two-sided one has triangles of its own") {
     Slot slot;
