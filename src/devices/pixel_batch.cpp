@@ -175,6 +175,8 @@ std::span<const Point> PixelBatch::take_group(std::span<const Point> points) {
 void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
     in_pixels_ = take_group(points);
     emits_ = bounces_ = true;
+    noise_factors_.clear();
+    for (const PixelPoint& point : in_pixels_) noise_factors_.push_back(point.weight);
     views_ = input.view;
     find_surfaces(input);
     find_textures(input);
@@ -186,7 +188,11 @@ void PixelBatch::take(const PixelInput& input, std::span<const RayPoint> points)
     emits_ = points.front().emits;
     bounces_ = points.front().bounces;
     ray_views_.clear();
-    for (const RayPoint& point : of_group) ray_views_.push_back(point.view);
+    noise_factors_.clear();
+    for (const RayPoint& point : of_group) {
+        ray_views_.push_back(point.view);
+        noise_factors_.push_back(point.noise_factor);
+    }
     views_ = Views(ray_views_);
     find_surfaces(input, of_group);
     find_textures(input);

@@ -25,7 +25,9 @@ struct SurfacePoint {
     std::uint32_t range;     ///< index of the geometry's range
     std::uint32_t occluded;  ///< 1: a corner of the triangle is occluded; else 0
     std::uint32_t triangle;
-    std::uint32_t pixel;  ///< index, row by row, of the pixel that gets the light; seeds light samples
+    /// Index, row by row, of the pixel that gets the light; of a point that a ray meets, a number of the
+    /// sample. Seeds light samples.
+    std::uint32_t pixel;
 
     /// Returns the group. Points of one group are shaded by the same data.
     [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * range + occluded; }
@@ -57,6 +59,7 @@ struct RayPoint : SurfacePoint {
     bool emits;  ///< whether the surface's own emission is wanted as well
     /// Whether its reflection of bounced light is wanted as well, if that stays apart.
     bool bounces;
+    float noise_factor;  ///< from the squared noise of the light to that of the image
 
     [[nodiscard]] std::uint64_t group() const {
         return 4 * SurfacePoint::group() + (bounces ? 2 : 0) + (emits ? 1 : 0);
@@ -138,6 +141,9 @@ public:
     [[nodiscard]] bool emits() const { return emits_; }
     /// Returns whether the reflection of bounced light that stays apart is wanted as well.
     [[nodiscard]] bool bounces() const { return bounces_; }
+    /// Returns LitPoints::noise_factors. The points of a pixel share their samples of light, so that their
+    /// noise adds as they do.
+    [[nodiscard]] std::span<const float> noise_factors() const { return noise_factors_; }
     /// Returns surfaces of sixteen points each, with normals perturbed by textures.
     [[nodiscard]] std::span<const LaneSurface> surfaces() const {
         return std::span(surfaces_).first((points_.size() + kLanes - 1) / kLanes);
@@ -160,6 +166,7 @@ private:
     std::vector<SurfacePoint> points_;
     std::span<const PixelPoint> in_pixels_;
     std::vector<Viewpoint> ray_views_;
+    std::vector<float> noise_factors_;
     bool emits_ = true, bounces_ = true;
     Views views_{std::span<const Viewpoint>()};
     std::array<LaneSurface, kMost / kLanes> surfaces_;

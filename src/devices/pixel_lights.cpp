@@ -130,6 +130,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                 .places = spread ? &places : nullptr,
                                 .bounced = bounced ? &*bounced : nullptr,
                                 .seeds = std::span(seeds).first(count),
+                                .noise_factors = batch.noise_factors().subspan(first, count),
                                 .shadowed = shadowed,
                                 .rays_pass_glass = followed && shadowed && batch.bounces() &&
                                                    all_followed_sampled(lighting_.sampled()),

@@ -54,6 +54,11 @@ ImageNeeds needs_of(const RenderOptions& options) {
     return all ? ImageNeeds::all : ImageNeeds::seen;
 }
 
+// The last digits of the threads' sums depend on who adds what.
+double rounded(double sum) {
+    return static_cast<double>(static_cast<float>(sum));
+}
+
 }  // namespace
 
 void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
@@ -224,7 +229,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
 PredictedError Pipeline::predicted_error(const RenderRun& run, const Projection& projection) {
     if (!local_lights_.any()) lighting_ = {};
-    if (run.lighting.values > 0) lighting_ = run.lighting;
+    // Where all light of surfaces comes through glass, no pixel's own values are lit.
+    if (run.lighting.values > 0 || run.surfaces.covered > 0) lighting_ = run.lighting;
     if (run.statistics.pixels_shaded + run.statistics.vertices_shaded > 0) {
         followed_ = run.followed;
         shown_s0_ = run.surfaces;
@@ -233,15 +239,11 @@ PredictedError Pipeline::predicted_error(const RenderRun& run, const Projection&
     // An image that is one of many samples of its pixels has their mean's noise.
     const double share = projection.sample_size * projection.sample_size;
     for (const LightingTally* const sampled : {&lighting_, &followed_}) {
-        if (sampled->values == 0) continue;
-        const auto values = static_cast<double>(sampled->values);
-        const double shown = shown_s0_.covered > 0 ? shown_s0_.covered : values;
-        out.add_noise(share * sampled->noise / shown, sampled->power / shown);
+        const double shown = shown_s0_.covered > 0 ? shown_s0_.covered : static_cast<double>(sampled->values);
+        if (shown == 0) continue;
+        out.add_noise(rounded(share * sampled->noise / shown), rounded(sampled->power / shown));
     }
-    // Rounded, because the last digits of the threads' sums depend on who adds what.
-    if (shown_s0_.whole > 0)
-        out.know_power(
-            static_cast<double>(static_cast<float>(shown_s0_.power / static_cast<double>(shown_s0_.whole))));
+    if (shown_s0_.whole > 0) out.know_power(rounded(shown_s0_.power / static_cast<double>(shown_s0_.whole)));
     return out;
 }
 

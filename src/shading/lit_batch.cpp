@@ -104,7 +104,7 @@ void LitBatch::add_source(const Source& source, std::uint32_t most_samples) {
         };
         add_samples(sampling, first, last, all, reached, sums_);
     };
-    SampleHalves halves(sums_);
+    SampleHalves halves(sums_, points_.noise_factors);
     if (samples == 1) {
         add(0, 1, 1);
         if (shadowing.doubtful()) noise_ += halves.squares(points_.positions.size(), shadowing.doubts());
@@ -240,7 +240,7 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
             if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
         };
         // Even pairs come first, because either half of the pairs is spread over the lobe.
-        SampleHalves halves(sums_);
+        SampleHalves halves(sums_, points_.noise_factors);
         for (std::uint32_t k = 0; k < pairs; ++k) {
             if (k == even) halves.end_first();
             const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;

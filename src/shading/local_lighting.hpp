@@ -50,6 +50,8 @@ struct LitPoints {
     /// Light that other surfaces reflect to the points, for sampled terms. Null: none.
     const BouncedLight* bounced = nullptr;
     std::span<const std::uint32_t> seeds;
+    /// Factors from the points' squared noise to that of their pixels. Empty: 1.
+    std::span<const float> noise_factors = {};
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced, but for glass
     /// Whether rays show what glass sends to sampled lobes, so that any glass hides the environment from
     /// them.
@@ -69,7 +71,7 @@ struct LightingTally {
     std::uint64_t rays_spared = 0;  ///< rays to lights that add next to nothing
     std::uint64_t values = 0;       ///< number of points, times channels
     double power = 0;               ///< sum over the values of s0^2
-    double noise = 0;               ///< sum over the values of the expected squared error of s0
+    double noise = 0;  ///< sum of the expected squared errors of s0, times LitPoints::noise_factors
 
     LightingTally& operator+=(const LightingTally& other) {
         rays += other.rays;

@@ -30,7 +30,7 @@ double SampleHalves::noise(std::size_t points, const Lanes& weights, const Lanes
         }
     }
     double noise = 0;
-    for (std::size_t i = 0; i < points; ++i) noise += double{shares[i]} * double{squares[i]};
+    for (std::size_t i = 0; i < points; ++i) noise += factor(i) * double{shares[i]} * double{squares[i]};
     return noise;
 }
 
@@ -39,7 +39,7 @@ double SampleHalves::squares(std::size_t points, const Lanes& shares) const {
     for (std::size_t c = 0; c < sums_.size(); ++c) {
         for (std::size_t i = 0; i < points; ++i) {
             const double added = double{sums_[c][0][i]} - double{before_[c][0][i]};
-            sum += double{shares[i]} * added * added;
+            sum += factor(i) * double{shares[i]} * added * added;
         }
     }
     return sum;

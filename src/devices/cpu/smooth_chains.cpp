@@ -76,15 +76,14 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
     ends.halves.assign((last - first) * out.size(), {});
     thread_local std::vector<Shown> boundaries;
     boundaries.clear();
-    thread_local std::vector<std::size_t> lobes;  // number of each pixel's samples that show them
-    lobes.assign(last - first, 0);
+    ends.lobes.assign(last - first, 0);
     const std::size_t samples = input_.hits.offsets().size();
     for (std::size_t pixel = first; pixel < last; ++pixel) {
         for (std::size_t s = 0; s < samples; ++s) {
             const std::optional<Hit> hit = input_.hits.at(s, pixel);
             const Smoothness shown = hit ? input_.smooth->of(hit->triangle) : Smoothness::none;
             if (shown == Smoothness::none) continue;
-            if (shown == Smoothness::lobes) ++lobes[pixel - first];
+            if (shown == Smoothness::lobes) ++ends.lobes[pixel - first];
             // The lights that mirrors and lobes reflect are those of the surface; rays find other surfaces.
             if (reflects_alone(shown) && input_.smooth->open(hit->triangle)) continue;
             if (shown == Smoothness::boundary) {
@@ -101,11 +100,11 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
     add_surfaces(ends, out, counts);
     add_sky(ends, out);
     counts.ray_count += ends.rays;
-    for (std::size_t pixel = 0; pixel < lobes.size(); ++pixel) {
-        if (lobes[pixel] == 0) continue;
+    for (std::size_t pixel = 0; pixel < ends.lobes.size(); ++pixel) {
+        if (ends.lobes[pixel] == 0) continue;
         counts.followed.values += out.size();
         // At outlines, the halves also differ by what they show.
-        if (lobes[pixel] < samples) continue;
+        if (ends.lobes[pixel] < samples) continue;
         for (const auto& [one, other] : std::span(ends.halves).subspan(pixel * out.size(), out.size())) {
             counts.followed.power += std::pow(double{one} + double{other}, 2);
             // Halves of rays do not fill each other's gaps, because few of them meet what is bright.
@@ -259,7 +258,8 @@ void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::v
         return;
     }
     Place place = place_at(*hit, chain.ray, ends);
-    place.point.pixel = chain.way.pixel;
+    // Samples of a pixel take other samples of light, whose noise the pixel's mean lessens.
+    place.point.pixel = chain.way.pixel + chain.sample * 0x9e3779b9U;
     if (smoothness == Smoothness::rough_boundary) scatter(chain, place, rest, ends);
     if (!(glm::dot(place.facet, chain.ray.direction) < 0)) return;  // backs are black
     if (smoothness == Smoothness::mirror ||
@@ -274,7 +274,8 @@ void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::v
                                                  .forward = chain.ray.direction,
                                                  .up = chain.received[1],
                                                  .right = chain.received[0]},
-                                       !chain.lit && !chain.lobes_lit, chain.events < input_.bounces},
+                                       !chain.lit && !chain.lobes_lit, chain.events < input_.bounces,
+                                       noise_factor(chain.way, ends)},
                              .way = chain.way,
                              .events = chain.events});
 }
@@ -295,24 +296,27 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
         const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
         PointCounts of_ends;
         surfaces_.run(batch, stokes, of_ends);
-        double shown = 0;  // sum of the squared factors from s0 of the ends to that of the image
-        for (std::size_t i = 0; i < count; ++i) {
-            const Way& way = ends.surfaces[begin + i].way;
-            for (std::size_t c = 0; c < out.size(); ++c) {
-                add_arriving(ends, way, c, stokes[c][i], out);
-                // The halves of samples that lobes take have the noise of what these meet.
-                if (way.half == kNoHalf) shown += std::pow(double{ends.matrices[way.matrices + c][0][0]}, 2);
-            }
-        }
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < out.size(); ++c)
+                add_arriving(ends, ends.surfaces[begin + i].way, c, stokes[c][i], out);
         counts.shaded += of_ends.shaded;
         counts.light_seconds += of_ends.light_seconds;
-        counts.lighting +=
-            {.rays = of_ends.lighting.rays,
-             .rays_spared = of_ends.lighting.rays_spared,
-             .values = 0,
-             .power = 0,
-             .noise = of_ends.lighting.noise * shown / static_cast<double>(count * out.size())};
+        // The image's values are its pixels.
+        of_ends.lighting.values = 0;
+        of_ends.lighting.power = 0;
+        counts.lighting += of_ends.lighting;
     }
+}
+
+float SmoothChains::noise_factor(const Way& way, const Ends& ends) const {
+    const std::size_t pixel = way.pixel - ends.first;
+    const bool known = way.half != kNoHalf && ends.lobes[pixel] == input_.hits.offsets().size();
+    if (known) return 0;
+    const std::size_t channels = ends.halves.size() / ends.lobes.size();
+    float sum = 0;
+    for (const glm::mat4& matrix : std::span(ends.matrices).subspan(way.matrices, channels))
+        sum += matrix[0][0] * matrix[0][0];
+    return sum / static_cast<float>(channels);
 }
 
 void SmoothChains::add_sky(Ends& ends, std::span<const std::span<glm::vec4>> out) const {

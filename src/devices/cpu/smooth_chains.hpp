@@ -159,6 +159,8 @@ private:
                  std::vector<Chain>& rest, Ends& ends) const;
     [[nodiscard]] Appearance appearance_at(const Place& place, const glm::dvec3& towards_viewer) const;
     void add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>> out, PointCounts& counts) const;
+    /// Returns RayPoint::noise_factor. 0: halves of the pixel's samples have the noise of what they meet.
+    [[nodiscard]] float noise_factor(const Way& way, const Ends& ends) const;
     void add_sky(Ends& ends, std::span<const std::span<glm::vec4>> out) const;
     void add_arriving(Ends& ends, const Way& way, std::size_t channel, const glm::vec4& stokes,
                       std::span<const std::span<glm::vec4>> out) const;
@@ -214,6 +216,7 @@ struct SmoothChains::Ends {
     std::vector<Sky> sky;
     std::vector<glm::mat4> matrices;  // into the camera's frames, by channels
     std::size_t first = 0;            // pixel
+    std::vector<std::size_t> lobes;   // number of each pixel's samples that show them
     // s0 of light that lobes reflect, by pixels and channels: of each half of their samples.
     std::vector<std::array<float, 2>> halves;
     std::uint64_t rays = 0;
