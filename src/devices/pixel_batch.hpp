@@ -73,7 +73,7 @@ struct PixelPoints {
     std::vector<PixelPoint> whole;
     /// Parts of bent surfaces: samples whose triangles have almost the same geometric normal.
     std::vector<PixelPoint> parts;
-    /// Whether rays may begin at a sample, see SmoothChains.
+    /// Whether rays may begin at a sample, see SmoothSurfaces::followed().
     bool followed = false;
 
     /// Lists the points of pixels first <= i < last. Also writes the fraction of the samples that show a
@@ -82,7 +82,7 @@ struct PixelPoints {
     void list(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
 
 private:
-    /// Does so for pixels of one sample.
+    /// Lists the points of an image of one sample a pixel.
     void list_single(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
     /// Lists the patches of samples, and their parts.
     void list_patches(const PixelInput& input, std::size_t first, std::size_t last,

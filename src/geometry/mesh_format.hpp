@@ -37,7 +37,7 @@ struct MeshFormat {
     geometry::PolygonMesh (*parse)(const MeshBytes& mesh, geometry::LeftOut& left_out,
                                    const LoadBudget& budget);
     /// Returns whether a file that begins with these bytes, which may be all or the first 4,096, is of this
-    /// format.
+    /// format. A binary STL file is known by all its bytes only.
     bool (*begins)(std::string_view bytes);
     bool other_attributes = false;  ///< MeshColorNames may name other attributes than the colours
     bool several_meshes = false;    ///< a file holds several

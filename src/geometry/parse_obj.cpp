@@ -228,8 +228,10 @@ PolygonMesh parse_obj(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget
     return ObjParser(mesh.name, mesh.bytes, left_out, budget).run();
 }
 
-// Blanks follow the keyword of a statement that can come first.
+// Blanks follow the keyword of a statement that can come first. Headers of binary STL files may look like
+// one, but end in zeros.
 bool begins_as_obj(std::string_view bytes) {
+    if (bytes.substr(0, 256).find('\0') != std::string_view::npos) return false;
     constexpr std::array<std::string_view, 9> keywords{"v", "vt", "vn",     "f",     "g",
                                                        "o", "s",  "mtllib", "usemtl"};
     const std::string_view statement = first_statement(bytes);

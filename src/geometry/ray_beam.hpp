@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays so close to each other that Embree traces them faster as one beam. Those that facets scatter are not.
+// Rays so close to each other that Embree traces them faster as one beam. Rays that facets scatter
+// are none.
 #pragma once
 
 #include <algorithm>

@@ -176,7 +176,7 @@ void LitBatch::add_mirrored(const LightSource& source) {
 }
 
 void LitBatch::add_focused(const FocusedLight& focused, SampledTerms find_it) {
-    if (!points_.receives_shadows) return;  // shadow rays find the whole light
+    if (!points_.receives_shadows) return;  // nothing blocks their direct light
     focused.gather(points_.positions, points_.normals, light_);
     const std::uint32_t lit = lit_points();
     if (lit == 0) return;

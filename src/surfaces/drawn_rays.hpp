@@ -30,7 +30,7 @@ public:
     /// Sets hits[i] to the first hit of rays[i], of which many are traced faster than one by one.
     void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
 
-    /// Finds the first hits of a packet, as RayScene does, with the same triangles.
+    /// Finds the first hits of a packet. HitPacket::triangle is that of the geometry, as of single rays.
     [[nodiscard]] std::uint16_t intersect(const RayPacket& packet, std::uint16_t active,
                                           HitPacket& hits) const;
 

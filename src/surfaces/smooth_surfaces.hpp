@@ -57,7 +57,7 @@ public:
         rays_->intersect(rays, hits);
     }
 
-    /// Finds the first hits of a packet, as RayScene does, and of the same surfaces.
+    /// Finds the first hits of a packet. HitPacket::triangle is that of the geometry, as of single rays.
     [[nodiscard]] std::uint16_t intersect(const RayPacket& packet, std::uint16_t active,
                                           HitPacket& hits) const {
         return rays_->intersect(packet, active, hits);

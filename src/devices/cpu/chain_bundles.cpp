@@ -109,7 +109,7 @@ void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, const Bundle
     out.open = 0;
     out.events = 0;
     out.active = ((1U << count) - 1) & ~undefined;
-    // Rays along their triangles find out what they meet.
+    // Rays that run along their triangles are traced as single chains.
     for (std::size_t i = 0; i < count; ++i)
         if ((undefined >> i & 1) != 0)
             bundle.chains.push_back(first_chain(bundle.shown[i].pixel, bundle.shown[i].sample, bundle.ends));
