@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "geometry/beyond_hit.hpp"
 #include "reference/light_arrival.hpp"
 
 namespace nicol {
@@ -108,7 +109,7 @@ bool SceneLights::visit_surfaces(Ray ray, Hiding hiding, PathWorkspace& workspac
         if (!first && (hides || !shadows_)) first = found;
         visit(*found);
         if (shadows_ && hides) return false;
-        ray.nearest = found->distance + surface.ray_offset(*found);
+        ray.nearest = beyond(*found, surface.ray_offset(*found));
     }
     return true;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/beyond_hit.hpp"
 #include "material/dielectric.hpp"
 
 namespace nicol {
@@ -27,11 +28,16 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstH
         std::fill(boundaries.begin() + first, boundaries.begin() + last, boundary);
         std::fill(passed.begin() + first, passed.begin() + last, range.roles.casts_shadows ? 0 : 1);
     }
-    return [&geometry, intersect = std::move(intersect), boundaries = std::move(boundaries),
+    const auto offset_of = [&geometry](const RayHit& hit) {
+        const glm::uvec3& corners = geometry.triangles[hit.triangle];
+        return ray_offset(
+            {geometry.positions[corners.x], geometry.positions[corners.y], geometry.positions[corners.z]});
+    };
+    return [&geometry, offset_of, intersect = std::move(intersect), boundaries = std::move(boundaries),
             passed = std::move(passed)](Ray ray) -> std::optional<GlassShadows::Crossing> {
         std::optional<RayHit> hit = intersect(ray);
         while (hit && passed[hit->triangle] != 0) {
-            ray.nearest = hit->distance * (1 + kRayOffset);
+            ray.nearest = beyond(*hit, offset_of(*hit));
             hit = intersect(ray);
         }
         if (!hit) return std::nullopt;
@@ -40,12 +46,10 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstH
                                   hit->b1 * glm::dvec3(geometry.normals[corners.y]) +
                                   hit->b2 * glm::dvec3(geometry.normals[corners.z]);
         const double length = glm::length(normal);
-        return GlassShadows::Crossing{
-            .boundary = boundaries[hit->triangle],
-            .normal = length > 0 ? normal / length : -ray.direction,
-            .distance = hit->distance,
-            .offset = ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
-                                  geometry.positions[corners.z]})};
+        return GlassShadows::Crossing{.boundary = boundaries[hit->triangle],
+                                      .normal = length > 0 ? normal / length : -ray.direction,
+                                      .distance = hit->distance,
+                                      .offset = offset_of(*hit)};
     };
 }
 

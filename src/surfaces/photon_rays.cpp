@@ -6,6 +6,9 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "geometry/beyond_hit.hpp"
+#include "geometry/largest_coordinate.hpp"
+
 namespace nicol {
 namespace {
 
@@ -57,7 +60,7 @@ bool PhotonRays::occluded(const Ray& ray) const {
     if (!some_pass_light_) return smooth_.occluded(ray);
     // The end of the ray is left out as RayScene::occluded() leaves it out.
     Ray rest = ray;
-    rest.farthest *= 1 - 1e-4;
+    rest.farthest = (1 - 1e-4) * ray.farthest - kRayOffset * largest_coordinate(ray.origin);
     while (const std::optional<RayHit> hit = smooth_.intersect(rest)) {
         if (blocks(geometry_.ranges[range_of(geometry_, geometry_.triangles[hit->triangle].x)])) return true;
         rest.nearest = beyond(*hit);
@@ -74,8 +77,8 @@ std::optional<RayHit> PhotonRays::first(const Ray& ray) const {
 
 double PhotonRays::beyond(const RayHit& hit) const {
     const glm::uvec3& corners = geometry_.triangles[hit.triangle];
-    return hit.distance + ray_offset({geometry_.positions[corners.x], geometry_.positions[corners.y],
-                                      geometry_.positions[corners.z]});
+    return nicol::beyond(hit, ray_offset({geometry_.positions[corners.x], geometry_.positions[corners.y],
+                                          geometry_.positions[corners.z]}));
 }
 
 }  // namespace nicol

@@ -26,7 +26,7 @@ public:
     /// Returns the first surface on a ray that blocks light or that the camera sees. RayHit::triangle is an
     /// index into the geometry's triangles.
     [[nodiscard]] std::optional<RayHit> first(const Ray& ray) const;
-    /// Returns the distance along a ray from which on it has passed a hit surface.
+    /// Returns the value of Ray::nearest that leaves out a hit surface.
     [[nodiscard]] double beyond(const RayHit& hit) const;
 
 private:

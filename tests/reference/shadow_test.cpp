@@ -60,3 +60,13 @@ TEST_CASE("without shadows nothing occludes, and no shadow rays are traced") {
     CHECK(image.data[0] == doctest::Approx(0.8).epsilon(2e-3));
     CHECK(statistics.shadow_rays == 0);
 }
+
+TEST_CASE("rays pass a small surface far away that casts no shadow") {
+    Scene scene;
+    scene.add(square(diffuse({0.8}), Frame(1.0), {0, 0, -8}, 50));
+    const std::uint32_t small = scene.add(square(diffuse({0.8}), Frame(1.0), {0, 0, 0}, 0.15));
+    scene.set_roles(small, {.casts_shadows = false});
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const double open = point(scene, camera_on({0, 0, -8}, aside), 1 << 15, Strategy::surface)[0][0];
+    CHECK(open == doctest::Approx(0.8).epsilon(2e-3));
+}
