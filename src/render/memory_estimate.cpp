@@ -20,6 +20,8 @@
 #include "methods/bounces.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
+#include "render/wanted_executor.hpp"
+#include "surfaces/focusing_surfaces.hpp"
 #include "surfaces/photon_paths.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
@@ -90,9 +92,11 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
 
 // Returns the bytes of light that smooth surfaces focus.
 std::uint64_t focused(const Scene& scene, const RenderOptions& options) {
-    if (!bounces(options)) return 0;
-    const auto surfaces = static_cast<std::size_t>(std::ranges::count_if(
-        scene.instances(), [](const Instance& instance) { return focuses_light(*instance.material); }));
+    // Compute shaders follow no rays.
+    if (!bounces(options) || wanted_executor(scene, options) == Executor::compute) return 0;
+    std::size_t surfaces = 0;
+    for (const Instance& instance : scene.instances())
+        if (focuses_light(*instance.material)) surfaces += instance.material->twosided() ? 2 : 1;
     if (surfaces == 0) return 0;
     const auto emitting = static_cast<std::size_t>(std::ranges::count_if(
         scene.instances(), [](const Instance& instance) { return instance.emission != nullptr; }));
@@ -147,7 +151,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         in_world + size.triangles * 3 * size.corner + size.vertices * (1 + channels * sizeof(glm::vec4));
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
     if (size.vertices == 0) return estimate;
-    estimate.transfer += focused(scene, options);
+    estimate.focused = focused(scene, options);
 
     // An order out of range is refused by the render.
     const int order = std::clamp(options.order_low, 0, kMaxRenderOrder);
@@ -227,24 +231,24 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
                                       " bytes at run time; the context's memory_limit is " +
                                       std::to_string(bytes_));
                   });
-    share_.reserve(estimate_.visibility + estimate_.transfer + image_);
+    share_.reserve(estimate_.visibility + estimate_.transfer + estimate_.focused + image_);
 }
 
 void MemoryLimit::refined(std::uint64_t vertices) {
     if (!share_.monitored() || vertices <= vertices_ || vertices_ == 0) return;
     const double times = static_cast<double>(vertices) / static_cast<double>(vertices_);
     const auto scene = static_cast<double>(estimate_.visibility + estimate_.transfer);
-    share_.reserve(image_ + static_cast<std::uint64_t>(times * scene));
+    share_.reserve(image_ + estimate_.focused + static_cast<std::uint64_t>(times * scene));
 }
 
 std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {
     const std::uint64_t wanted =
         options.max_vertices != 0 ? options.max_vertices : std::max<std::uint64_t>(4 * vertices_, 65536);
-    if (bytes_ == kNone || estimate_.total() == 0) return wanted;
-    // All memory grows with the vertices. The bake of the vertices before refinement stays for the next
-    // change.
-    const double times =
-        static_cast<double>(for_scene() - estimate_.visibility) / static_cast<double>(estimate_.total());
+    if (bytes_ == kNone || estimate_.of_vertices() == 0) return wanted;
+    // All memory but that of focused light grows with the vertices. The bake of the vertices before
+    // refinement stays for the next change.
+    const double times = static_cast<double>(for_scene() - estimate_.visibility - estimate_.focused) /
+                         static_cast<double>(estimate_.of_vertices());
     return std::min(wanted, static_cast<std::uint64_t>(times * static_cast<double>(vertices_)));
 }
 

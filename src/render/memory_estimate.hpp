@@ -22,8 +22,12 @@ struct MemoryEstimate {
     std::uint64_t transfer = 0;
     /// Buffers of vertices and triangles, without the work space of compute shaders.
     std::uint64_t buffers = 0;
+    /// Light that smooth surfaces focus, which Statistics count as transfer. Vertices do not add to it.
+    std::uint64_t focused = 0;
 
-    [[nodiscard]] std::uint64_t total() const noexcept { return visibility + transfer + buffers; }
+    [[nodiscard]] std::uint64_t total() const noexcept { return of_vertices() + focused; }
+    /// Returns the part that grows with the number of vertices.
+    [[nodiscard]] std::uint64_t of_vertices() const noexcept { return visibility + transfer + buffers; }
 };
 
 /// Returns the estimate for a scene. Takes milliseconds and allocates little, whatever the scene's size. For

@@ -38,8 +38,8 @@ public:
     [[nodiscard]] static std::size_t most_bytes(std::size_t photons, std::size_t channels);
 
 private:
-    /// Photons that reach into a cell of space: in_cells_[first] to in_cells_[last - 1]. Both are equal:
-    /// none.
+    /// Photons that reach into a cell of space: in_cells_[first] to in_cells_[last - 1]. first ==
+    /// last: the bucket is empty.
     struct Bucket {
         std::uint64_t key;
         std::uint32_t first, last;

@@ -93,6 +93,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
             lights_ = lights.local.size() + lights.extracted.size();
             std::optional<LocalLighting>& lighting = lighting_.change();
             lighting.reset();
+            if (!lit || smooth == nullptr) forget_focused();
             if (!lit) return;
             if (sampled)
                 lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
@@ -118,10 +119,7 @@ void LocalLights::focus(const Scene& scene, const DistantLight& distant, const R
     const SmoothSurfaces& smooth = *followed.smooth;
     lights.glass = lights.glass_of_environment = smooth.glass();
     if (followed.events == 0 || !smooth.any()) {
-        focused_.reset();
-        focused_extracted_.reset();
-        focusing_.reset();
-        focusing_extracted_.reset();
+        forget_focused();
         return;
     }
     lights.glass = smooth.unbent_glass();
@@ -142,6 +140,13 @@ void LocalLights::focus(const Scene& scene, const DistantLight& distant, const R
     run.statistics.focus_ms += milliseconds;
     run.statistics.light_ms += milliseconds;
     run.statistics.shade_ms += milliseconds;
+}
+
+void LocalLights::forget_focused() {
+    focused_.reset();
+    focused_extracted_.reset();
+    focusing_.reset();
+    focusing_extracted_.reset();
 }
 
 void LocalLights::find_vertex_origins(const RefinedSurfaces& surfaces) {

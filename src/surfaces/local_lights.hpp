@@ -70,6 +70,8 @@ private:
     // Finds the light that smooth surfaces send to others.
     void focus(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
                const Followed& followed, LocalLighting::Lights& lights, RenderRun& run);
+    // Gives up the light that smooth surfaces send to others.
+    void forget_focused();
     // Adds the bytes of what is kept.
     void count(Statistics& statistics) const;
 

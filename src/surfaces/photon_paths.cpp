@@ -15,10 +15,10 @@
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
 #include "material/reflectance.hpp"
-#include "material/spatial_variation.hpp"
 #include "shading/boundary_split.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/weighted_terms.hpp"
+#include "surfaces/focusing_surfaces.hpp"
 #include "surfaces/photon_rays.hpp"
 
 namespace nicol {
@@ -33,23 +33,11 @@ constexpr std::size_t kLeastPilots = kLanes;
 constexpr std::size_t kMostPilots = 1024;
 // Fewer photons in all have no density.
 constexpr std::size_t kLeastPhotons = 48;
+// Largest number of events of a path, and the part of its power at the start below which it ends.
+constexpr int kMostEvents = 64;
+constexpr double kNegligiblePower = 1e-4;
 // Share of the time that pilots take, for reports of progress.
 constexpr double kPilotsShare = 0.1;
-
-/// Triangles of one smooth material.
-struct SmoothRange {
-    std::size_t range;
-    std::vector<std::uint32_t> triangles;
-    std::vector<double> areas;  // cumulative
-};
-
-// Returns a point of [0, 1)^2: of a sequence that fills the square evenly, as if by chance of the seed.
-glm::vec2 sample_at(std::size_t index, std::uint32_t seed) {
-    Lanes u, v;
-    const std::uint32_t mixed = sample_seed(seed, 0);
-    light_samples(static_cast<std::uint32_t>(index), std::span(&mixed, 1), u, v);
-    return {u[0], v[0]};
-}
 
 /// Point of a surface that a path meets.
 struct Meeting {
@@ -68,6 +56,8 @@ struct Path {
     bool bent;                   // whether any event was more than a straight passage
     std::uint32_t seed;
     std::vector<double> powers;  // by channel
+    double choice;               // number by chance, from 0 to 1, that chooses between arrivals
+    int arrivals = 0;            // number of places that could keep its photon
 };
 
 /// Result of some paths.
@@ -85,7 +75,7 @@ struct Arrivals {
 
 /// A smooth surface and a source that lights it.
 struct Pair {
-    const SmoothRange& smooth;
+    const FocusingSurface& smooth;
     const LightSource& source;
     std::uint32_t index;
     double power;        // that pilots found to arrive
@@ -115,26 +105,14 @@ void for_all(std::size_t count, std::size_t at_once, double from, double to, Ren
 
 class Tracer {
 public:
-    Tracer(const PhotonScene& scene, std::span<const LightSourcePtr> sources)
-        : scene_(scene), sources_(sources), rays_(scene.geometry, scene.smooth) {
-        const WorldGeometry& geometry = scene.geometry;
-        for (const TriangleBatch& batch : triangle_batches(geometry)) {
-            const VertexRange& range = geometry.ranges[batch.range];
-            if (!PhotonRays::blocks(range) || !focuses_light(*range.material)) continue;
-            SmoothRange& smooth = smooth_.emplace_back(SmoothRange{batch.range, {}, {}});
-            double area = 0;
-            for (std::size_t t = batch.first; t < batch.last; ++t) {
-                const glm::uvec3& corners = geometry.triangles[t];
-                const glm::dvec3 first(geometry.positions[corners.x]);
-                area += glm::length(glm::cross(glm::dvec3(geometry.positions[corners.y]) - first,
-                                               glm::dvec3(geometry.positions[corners.z]) - first)) /
-                        2;
-                smooth.triangles.push_back(static_cast<std::uint32_t>(t));
-                smooth.areas.push_back(area);
-            }
-            if (!(area > 0)) smooth_.pop_back();
-        }
-    }
+    /// smooth: of the scene.
+    Tracer(const PhotonScene& scene, std::span<const FocusingSurface> smooth,
+           std::span<const LightSourcePtr> sources)
+        : scene_(scene),
+          events_(std::min(scene.events, kMostEvents)),
+          smooth_(smooth),
+          sources_(sources),
+          rays_(scene.geometry, scene.smooth) {}
 
     [[nodiscard]] std::shared_ptr<const FocusedLight> trace(RenderRun& run) const {
         std::vector<Pair> pairs = lit_pairs(run);
@@ -173,7 +151,7 @@ private:
     [[nodiscard]] std::vector<Pair> lit_pairs(RenderRun& run) const {
         std::vector<Pair> pairs;
         pairs.reserve(smooth_.size() * sources_.size());
-        for (const SmoothRange& smooth : smooth_)
+        for (const FocusingSurface& smooth : smooth_)
             for (const LightSourcePtr& source : sources_)
                 pairs.push_back({smooth, *source, static_cast<std::uint32_t>(pairs.size()), 0, 0});
         if (pairs.empty()) return pairs;
@@ -210,29 +188,16 @@ private:
                 .offset = ray_offset(positions)};
     }
 
-    // Returns the point of the surface where path i of `count` begins. Triangles have paths in proportion to
-    // their areas, each by a sequence of its own.
-    [[nodiscard]] Meeting start_at(const SmoothRange& smooth, std::size_t i, std::size_t count) const {
-        const double per_area = static_cast<double>(count) / smooth.areas.back();
-        const double area = (static_cast<double>(i) + 0.5) / per_area;
-        const auto after = std::ranges::upper_bound(smooth.areas, area) - smooth.areas.begin();
-        const auto chosen = std::min(static_cast<std::size_t>(after), smooth.triangles.size() - 1);
-        const double before = chosen > 0 ? smooth.areas[chosen - 1] : 0;
-        const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, before * per_area - 0.5)));
-        const glm::dvec2 point(sample_at(i - std::min(i, first), smooth.triangles[chosen]));
-        const double root = std::sqrt(point.x);
-        return meeting_at(smooth.triangles[chosen], root * (1 - point.y), root * point.y);
-    }
-
     // Calls visit(meeting, path) for light that reaches the smooth surface from the source. All paths of a
     // pair are spread evenly over the surface and over the source. Adds the number of traced rays to `rays`.
     template <class Visit>
     void for_starts(const Stretch& stretch, std::uint64_t& rays, const Visit& visit) const {
-        const SmoothRange& smooth = stretch.pair->smooth;
+        const FocusingSurface& smooth = stretch.pair->smooth;
         const auto count = static_cast<double>(stretch.count);
         LaneLight light;
         for (std::size_t begin = stretch.first; begin < stretch.last; begin += kLanes) {
             std::array<Meeting, kLanes> meetings;
+            std::array<double, kLanes> choices;
             LaneVectors positions;
             Lanes u, v;
             for (std::size_t i = 0; i < kLanes; ++i) {
@@ -241,7 +206,9 @@ private:
                 const glm::dvec2 of_source =
                     glm::fract(0.5 + static_cast<double>(begin + i) *
                                          glm::dvec2(0.7548776662466927, 0.5698402909980532));
-                meetings[i] = start_at(smooth, begin + i, stretch.count);
+                const FocusingSurface::Place place = smooth.place(begin + i, stretch.count);
+                meetings[i] = meeting_at(place.triangle, place.b1, place.b2);
+                choices[i] = place.choice;
                 put(positions, i, glm::vec3(meetings[i].position));
                 u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
                 v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
@@ -262,7 +229,8 @@ private:
                           .body = nullptr,
                           .bent = false,
                           .seed = sample_seed(static_cast<std::uint32_t>(begin + i), stretch.pair->index),
-                          .powers = {}};
+                          .powers = {},
+                          .choice = choices[i]};
                 const double area = smooth.areas.back() * std::abs(cosine) / count;
                 for (std::size_t c = 0; c < scene_.channels; ++c)
                     path.powers.push_back(
@@ -277,9 +245,18 @@ private:
         return *scene_.geometry.ranges[meeting.range].material;
     }
 
-    void follow(Meeting at, Path& path, Arrivals& out) const {
+    void follow(const Meeting& start, Path& path, Arrivals& out) const {
+        send_on(start, path, out);
+        // One photon stands for all places.
+        if (path.arrivals < 2) return;
+        for (float& power : std::span(out.powers).last(scene_.channels))
+            power *= static_cast<float>(path.arrivals);
+    }
+
+    void send_on(Meeting at, Path& path, Arrivals& out) const {
+        const double least = kNegligiblePower * *std::ranges::max_element(path.powers);
         for (int event = 0; focuses_light(material_at(at)); ++event) {
-            if (event == scene_.events) return;
+            if (event == events_ || !(*std::ranges::max_element(path.powers) > least)) return;
             path.seed = sample_seed(path.seed, static_cast<std::uint32_t>(event));
             const Material& material = material_at(at);
             const SmoothBoundary* const boundary = material.smooth_boundary();
@@ -310,17 +287,31 @@ private:
         }
     }
 
-    // Adds a photon where a path ends, unless the light is that which shadow rays find.
-    void arrive(const Meeting& at, const Path& path, Arrivals& out) const {
+    // Adds a photon. Light that shadow rays already find is left out. A path that arrives at several places
+    // has a photon at one of them, chosen by chance, so that memory has a limit.
+    void arrive(const Meeting& at, Path& path, Arrivals& out) const {
         // Backs are black; two-sided surfaces have triangles for both sides. Shadow rays find all light of
         // surfaces that receive no shadows.
         if (!path.bent || !scene_.geometry.ranges[at.range].roles.receives_shadows ||
             !(glm::dot(at.facet, path.direction) < 0))
             return;
-        out.photons.push_back({.position = glm::vec3(at.position),
-                               .normal = glm::vec3(at.facet),
-                               .towards = glm::vec3(-path.direction)});
-        for (const double power : path.powers) out.powers.push_back(static_cast<float>(power));
+        if (++path.arrivals == 1) {
+            out.photons.emplace_back();
+            out.powers.resize(out.powers.size() + scene_.channels);
+        } else {
+            // The latest of n places takes over in one of n cases.
+            const double kept = 1 - 1.0 / path.arrivals;
+            if (path.choice < kept) {
+                path.choice /= kept;
+                return;
+            }
+            path.choice = (path.choice - kept) * path.arrivals;
+        }
+        out.photons.back() = {.position = glm::vec3(at.position),
+                              .normal = glm::vec3(at.facet),
+                              .towards = glm::vec3(-path.direction)};
+        std::ranges::transform(path.powers, std::span(out.powers).last(scene_.channels).begin(),
+                               [](double power) { return static_cast<float>(power); });
     }
 
     // Reflects or transmits a path by chance. Returns whether it goes on.
@@ -364,18 +355,13 @@ private:
     }
 
     const PhotonScene& scene_;
+    int events_;
+    std::span<const FocusingSurface> smooth_;
     std::span<const LightSourcePtr> sources_;
     PhotonRays rays_;
-    std::vector<SmoothRange> smooth_;
 };
 
 }  // namespace
-
-bool focuses_light(const Material& material) {
-    const SmoothBoundary* const boundary = material.smooth_boundary();
-    if (boundary != nullptr) return !boundary->rough();
-    return material.variation() == nullptr && material.terms() > 0 && is_mirror(material);
-}
 
 std::size_t most_focused_bytes(std::size_t surfaces, std::size_t sources, std::size_t channels) {
     return FocusedLight::most_bytes(kPaths + kLanes * surfaces * sources, channels);
@@ -384,7 +370,9 @@ std::size_t most_focused_bytes(std::size_t surfaces, std::size_t sources, std::s
 std::shared_ptr<const FocusedLight> focused_light(const PhotonScene& scene,
                                                   std::span<const LightSourcePtr> sources, RenderRun& run) {
     if (sources.empty()) return nullptr;
-    return Tracer(scene, sources).trace(run);
+    const std::vector<FocusingSurface> smooth = focusing_surfaces(scene.geometry);
+    if (smooth.empty()) return nullptr;
+    return Tracer(scene, smooth, sources).trace(run);
 }
 
 }  // namespace nicol

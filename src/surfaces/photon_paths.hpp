@@ -18,23 +18,19 @@ namespace nicol {
 struct PhotonScene {
     const WorldGeometry& geometry;
     const SmoothSurfaces& smooth;
-    int events;            ///< largest number of reflections and refractions on a path
+    int events;            ///< largest number of reflections and refractions on a path; 64 at most count
     std::size_t channels;  ///< of the image
 };
 
-/// Returns whether surfaces of a material send the light of lamps on to others: smooth glass, and mirrors
-/// without textures.
-[[nodiscard]] bool focuses_light(const Material& material);
-
-/// Returns the largest number of bytes of focused_light(). surfaces, sources: the number of smooth surfaces
-/// and of sources, both above 0.
+/// Returns the largest number of bytes of focused_light(). surfaces, sources: the number of smooth surfaces,
+/// both sides of two-sided ones counted, and of sources, both above 0.
 [[nodiscard]] std::size_t most_focused_bytes(std::size_t surfaces, std::size_t sources, std::size_t channels);
 
-/// Follows light from sources over smooth glass and mirrors, those that cast shadows, until it meets another
-/// surface that does. The light also arrives at those on its way that cast none; surfaces that receive no
-/// shadows are left out. Light that passes glass straight alone is left out, because shadow rays let it pass.
-/// Returns null if next to no light arrives. Runs on the run's threads, reports progress and counts the rays;
-/// the result does not depend on the number of threads. Throws Error(cancelled).
+/// Follows light from sources over smooth glass and mirrors, those that cast shadows. Light ends at the first
+/// other surface that casts shadows. Surfaces without shadows on the way also receive it; surfaces that
+/// receive no shadows are left out. Light that passes glass straight alone is left out, because shadow rays
+/// let it pass. Returns null if next to no light arrives. Runs on the run's threads, reports progress and
+/// counts the rays; the result does not depend on the number of threads. Throws Error(cancelled).
 [[nodiscard]] std::shared_ptr<const FocusedLight> focused_light(const PhotonScene& scene,
                                                                 std::span<const LightSourcePtr> sources,
                                                                 RenderRun& run);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Tests of what the memory limit says of light that smooth surfaces focus.
+#include "render/memory_estimate.hpp"
+
+#include "material/dielectric.hpp"
+#include "render/scenes.hpp"
+#include "surfaces/photon_paths.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr std::uint64_t kMegabyte = 1 << 20;
+
+RenderOptions bouncing() {
+    return {.bake_directions = 512, .max_depth = 4};
+}
+
+/// Returns a ball above a floor under a lamp.
+Scene lit_ball(const MaterialPtr& of_ball) {
+    Scene scene;
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5}), .to_world = test::plate_at(-1.2, 3)});
+    scene.add({.mesh = test::coarse_sphere(6), .material = of_ball});
+    scene.add_light(LocalLight());
+    return scene;
+}
+
+MaterialPtr mirror() {
+    return conductor({{0.0, -100.0}});
+}
+
+}  // namespace
+
+TEST_CASE("light that a mirror focuses leaves the limit of refinement nearly as it is") {
+    const RenderOptions options = bouncing();
+    const auto most = [&](const MaterialPtr& of_ball, std::uint64_t bytes) {
+        MemoryLimit limit(bytes);
+        limit.check(lit_ball(of_ball), options, 64, 64);
+        return limit.max_vertices(options);
+    };
+    const std::uint64_t focused = estimate_memory(lit_ball(mirror()), options).focused;
+    REQUIRE(focused > 16 * kMegabyte);
+    const std::uint64_t plain = most(diffuse({0.5}), 128 * kMegabyte);
+    REQUIRE(plain < most(diffuse({0.5}), MemoryLimit::kNone));
+    CHECK(static_cast<double>(most(mirror(), 128 * kMegabyte + focused)) ==
+          doctest::Approx(static_cast<double>(plain)).epsilon(0.1));
+    CHECK(most(mirror(), 256 * kMegabyte) > plain);
+}
+
+TEST_CASE("a refined scene asks for the memory of focused light once") {
+    const RenderOptions options = bouncing();
+    const Scene scene = lit_ball(mirror());
+    const MemoryEstimate estimate = estimate_memory(scene, options);
+    const std::uint64_t image = image_memory(scene, options, 64, 64);
+    std::uint64_t vertices = 0;
+    for (const Instance& instance : scene.instances()) vertices += instance.mesh->positions.size();
+    std::int64_t asked = 0;
+    MemoryLimit limit(MemoryLimit::kNone, [&](std::int64_t bytes) {
+        asked += bytes;
+        return true;
+    });
+    const std::uint64_t constant = estimate.focused + image, rest = estimate.visibility + estimate.transfer;
+    limit.check(scene, options, 64, 64);
+    CHECK(asked == static_cast<std::int64_t>(constant + rest));
+    limit.refined(4 * vertices);
+    CHECK(asked == static_cast<std::int64_t>(constant + 4 * rest));
+}
+
+TEST_CASE(
+    "the estimate counts both sides of surfaces that focus light, and none where no rays are followed") {
+    RenderOptions options = bouncing();
+    const auto focused = [&](const MaterialPtr& of_ball) {
+        return estimate_memory(lit_ball(of_ball), options).focused;
+    };
+    CHECK(focused(mirror()) == most_focused_bytes(1, 1, 1));
+    CHECK(focused(twosided(mirror())) == most_focused_bytes(2, 1, 1));
+    CHECK(focused(diffuse({0.5})) == 0);
+    options.executor = Executor::compute;
+    CHECK(focused(mirror()) == 0);
+    // Threads render glass, whatever executor is asked for.
+    CHECK(focused(dielectric({.int_ior = 1.5, .ext_ior = 1})) == most_focused_bytes(1, 1, 1));
+}
