@@ -148,7 +148,9 @@ PolygonMesh parse_stl(const MeshBytes& mesh, LeftOut& left_out, const LoadBudget
 }
 
 bool begins_as_stl(std::string_view bytes) {
-    return sized_as_binary(bytes) || begins_with_solid(first_statement(bytes));
+    const std::string_view statement = first_statement(bytes);
+    const std::string_view keyword = statement.substr(0, statement.find_first_of(" \t\r\n"));
+    return sized_as_binary(bytes) || keyword == "solid" || keyword == "SOLID";
 }
 
 }  // namespace
