@@ -55,16 +55,13 @@ public:
                                    const End& end, RenderRun& run) const {
         const Bounce bounce(input_.scene.geometry, *input_.scene.directions, input_.surfaces, input_.tables,
                             arrival_, input_.layout, channel);
-        LightColumns first(input_.surfaces.receivers(), input_.layout.size(), columns);
-        run.workers.for_blocks(input_.surfaces.blocks(), verb_, run.progress,
-                               [&](std::size_t begin, std::size_t last) {
-                                   for (std::size_t b = begin; b < last; ++b) start(bounce, b, first);
-                               });
         return sum_bounces(
-            bounce, input_.surfaces, scalar_, std::move(first),
+            bounce, input_.surfaces, scalar_,
+            [&](std::size_t block, LightColumns& out) { start(bounce, block, out); },
             [&](std::size_t block, const LightColumns* sum, LightColumns& out) {
                 end(bounce, block, sum, out);
             },
+            {.numbers = input_.layout.size(), .columns = columns},
             {.verb = verb_,
              .bounces = input_.scene.bounces,
              .negligible = input_.scene.negligible_bounces,
@@ -184,12 +181,15 @@ BounceColumns::BounceColumns(const BounceInput& input, std::optional<LightKind> 
                 },
                 run);
             rounds_ = std::max(rounds_, series.rounds);
-            for (std::size_t k = 0; k < count; ++k) {
-                left_[g][first + k] = series.left[k];
-                for (std::size_t r = 0; r < receivers; ++r)
-                    for (std::size_t j = 0; j < numbers_; ++j)
-                        maps_[g][(r * lights + first + k) * numbers_ + j] = series.light.value(r, j, k);
-            }
+            std::ranges::copy(series.left, left_[g].begin() + static_cast<std::ptrdiff_t>(first));
+            run.workers.for_vertices(0, receivers, receivers, "bake", run.progress,
+                                     [&](std::size_t begin, std::size_t end) {
+                                         for (std::size_t r = begin; r < end; ++r)
+                                             for (std::size_t k = 0; k < count; ++k)
+                                                 for (std::size_t j = 0; j < numbers_; ++j)
+                                                     maps_[g][(r * lights + first + k) * numbers_ + j] =
+                                                         series.light.value(r, j, k);
+                                     });
         }
     }
 }

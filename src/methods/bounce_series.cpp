@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,43 +17,106 @@
 namespace nicol {
 namespace {
 
-// Adds share times the sum of row[j] * light[j * step]. Four sums side by side do not wait for each other.
-[[gnu::always_inline]] inline void add_dot_product(const float* row, std::size_t numbers, float share,
-                                                   const Lanes* light, std::size_t step, LaneVector& out) {
-    constexpr std::size_t sums = 4;
-    LaneVector of[sums] = {};
-    std::size_t j = 0;
-    for (; j + sums <= numbers; j += sums)
-        for (std::size_t k = 0; k < sums; ++k) {
-            LaneVector number;
-            load(light + (j + k) * step, number);
-            of[k] += row[j + k] * number;
-        }
-    for (; j < numbers; ++j) {
-        LaneVector number;
-        load(light + j * step, number);
-        of[0] += row[j] * number;
+/// Lights that leave along a link together, each times its weight.
+struct LinkLights {
+    std::array<const Lanes*, 4> lights;
+    std::array<float, 4> weights;
+    std::uint32_t count = 0;  // 0, 1, 3 or 4
+    std::uint32_t whole = 0;  // leading ones that have numbers beyond those of s0: all, the first or none
+    float share = 1;          // factor of these numbers' part of s0
+
+    void add(const Lanes* light, float weight) {
+        lights[count] = light;
+        weights[count++] = weight;
     }
-    out += share * ((of[0] + of[1]) + (of[2] + of[3]));
+};
+
+/// Rows of a batch of links and the numbers that they multiply.
+struct LinkRows {
+    const float* rows;  // [link][component][number]
+    std::size_t row_size;
+    std::size_t components;
+    std::size_t scalars;  // count of the numbers of s0
+    std::size_t numbers;
+    std::size_t lanes;
+};
+
+// Asks for the memory where lights begin. What follows comes by itself, because it is read in order.
+[[gnu::always_inline]] inline void prefetch_lights(const LinkLights& link) {
+    constexpr std::size_t lines = 4;
+    for (std::size_t n = 0; n < link.count; ++n)
+        for (std::size_t k = 0; k < lines; ++k) __builtin_prefetch(link.lights[n] + k);
 }
 
-// Adds rows x light to Stokes components, [component][Lanes of columns]. scalars: count of the numbers of s0;
-// weight: of the light; share: factor of the others' part of s0.
-[[gnu::always_inline]] inline void add_product(const float* rows, std::size_t row_size,
-                                               std::size_t components, std::size_t scalars,
-                                               std::size_t numbers, float weight, float share,
-                                               const Lanes* light, std::size_t lanes, Lanes* stokes) {
-    for (std::size_t k = 0; k < lanes; ++k)
-        for (std::size_t p = 0; p < components; ++p) {
-            const float* const row = rows + p * row_size;
-            LaneVector sum;
-            load(stokes + p * lanes + k, sum);
-            add_dot_product(row, scalars, weight, light + k, lanes, sum);
-            if (numbers > scalars)
-                add_dot_product(row + scalars, numbers - scalars, weight * (p == 0 ? share : 1.0F),
-                                light + scalars * lanes + k, lanes, sum);
-            store(stokes + p * lanes + k, sum);
+// Adds rows x weighted sum of lights for some numbers, `width` Lanes side by side from `lane` on. share:
+// factor of the first component.
+template <std::size_t components, std::size_t count, std::size_t width>
+[[gnu::always_inline]] inline void add_numbers(const LinkRows& of, const float* rows, const LinkLights& link,
+                                               std::size_t first, std::size_t last, float share,
+                                               std::size_t lane, LaneVector* sums) {
+    for (std::size_t j = first; j < last; ++j)
+        for (std::size_t k = 0; k < width; ++k) {
+            const std::size_t at = j * of.lanes + lane + k;
+            LaneVector light;
+            load(link.lights[0] + at, light);
+            light *= link.weights[0];
+            for (std::size_t n = 1; n < count; ++n) {
+                LaneVector other;
+                load(link.lights[n] + at, other);
+                light += link.weights[n] * other;
+            }
+            for (std::size_t p = 0; p < components; ++p)
+                sums[p * width + k] += (p == 0 ? share : 1.0F) * rows[p * of.row_size + j] * light;
         }
+}
+
+template <std::size_t components, std::size_t width>
+[[gnu::always_inline]] inline void add_some_numbers(const LinkRows& of, const float* rows,
+                                                    const LinkLights& link, std::uint32_t count,
+                                                    std::size_t first, std::size_t last, float share,
+                                                    std::size_t lane, LaneVector* sums) {
+    if (count == 4) add_numbers<components, 4, width>(of, rows, link, first, last, share, lane, sums);
+    if (count == 3) add_numbers<components, 3, width>(of, rows, link, first, last, share, lane, sums);
+    if (count == 1) add_numbers<components, 1, width>(of, rows, link, first, last, share, lane, sums);
+}
+
+template <std::size_t components, std::size_t width>
+[[gnu::always_inline]] inline void add_link(const LinkRows& of, const float* rows, const LinkLights& link,
+                                            std::size_t lane, Lanes* stokes) {
+    LaneVector sums[components * width] = {};
+    add_some_numbers<components, width>(of, rows, link, link.count, 0, of.scalars, 1, lane, sums);
+    if (of.numbers > of.scalars)
+        add_some_numbers<components, width>(of, rows, link, link.whole, of.scalars, of.numbers, link.share,
+                                            lane, sums);
+    for (std::size_t p = 0; p < components; ++p)
+        for (std::size_t k = 0; k < width; ++k) {
+            Lanes* const to = stokes + p * of.lanes + lane + k;
+            LaneVector sum;
+            load(to, sum);
+            sum += sums[p * width + k];
+            store(to, sum);
+        }
+}
+
+template <std::size_t components>
+[[gnu::always_inline]] inline void add_links_of(const LinkRows& of, std::span<const LinkLights> links,
+                                                Lanes* stokes) {
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (i + 1 < links.size()) prefetch_lights(links[i + 1]);
+        const float* const rows = of.rows + i * components * of.row_size;
+        Lanes* const to = stokes + i * components * of.lanes;
+        std::size_t lane = 0;
+        for (; lane + 2 <= of.lanes; lane += 2) add_link<components, 2>(of, rows, links[i], lane, to);
+        if (lane < of.lanes) add_link<components, 1>(of, rows, links[i], lane, to);
+    }
+}
+
+// Adds what a batch of links reflects of lights to Stokes components, [link][component][Lanes of columns].
+[[gnu::always_inline]] inline void add_links(const LinkRows& of, std::span<const LinkLights> links,
+                                             Lanes* stokes) {
+    if (of.components == 1) add_links_of<1>(of, links, stokes);
+    if (of.components == 3) add_links_of<3>(of, links, stokes);
+    if (of.components == 4) add_links_of<4>(of, links, stokes);
 }
 
 }  // namespace
@@ -70,12 +134,6 @@ Bounce::Bounce(const WorldGeometry& geometry, const DirectionSet& directions, co
       rotation_(layout),
       scalar_rotation_(scalar_layout_),
       channel_(channel) {}
-
-struct Bounce::BatchRows {
-    const LinkedSurfaces::Batch& batch;
-    const ReflectionRows& of;
-    const VertexLight& rows;
-};
 
 template <class Leave>
 void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
@@ -116,7 +174,7 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
     put_columns(light, 0, first, out);
 }
 
-Bounce::BatchRows Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const {
+const VertexLight& Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const {
     thread_local VertexLight out;
     std::array<glm::vec3, kLanes> sights, normals;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -134,78 +192,74 @@ Bounce::BatchRows Bounce::find_rows(const LinkedSurfaces::Batch& batch, const Re
         layers.push_back(&tables_.at(material));
     rows.run(layers, surfaces_.weights(batch), channel_, frames_, std::span(sights).first(batch.count),
              std::span(normals).first(batch.count), out);
-    return {.batch = batch, .of = rows, .rows = out};
+    return out;
 }
 
-template <class Points>
-void Bounce::add_reflected(const BatchRows& rows, bool only_coarse, const LightColumns& light,
-                           const Points& points, Lanes* stokes) const {
-    const std::size_t components = rows.of.components(), lanes = light.lanes();
-    const std::size_t numbers = std::min(light.numbers(), rows.of.light().size());
-    for (std::size_t i = 0; i < rows.batch.count; ++i) {
-        const std::size_t index = rows.batch.first + i;
-        // s0 arrives in the solid angle of all links, but its part that polarization makes by coarse links.
+void Bounce::add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, bool only_coarse,
+                           const LightColumns* light, const LightColumns* bounced, Lanes* stokes) const {
+    const std::size_t scalars = scalar_layout_.size(), all = rows.light().size();
+    std::array<LinkLights, kLanes> links;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const std::size_t index = batch.first + i;
         const SurfaceLink& link = surfaces_.links()[index];
-        const float share = only_coarse ? 1.0F : link.coarse_solid_angle / link.solid_angle;
-        points(index, [&](std::uint32_t at, float weight) {
-            dispatch<add_product>(rows.rows.row(i), rows.of.light().size(), components, scalar_layout_.size(),
-                                  numbers, weight, share, light.at(at), lanes,
-                                  stokes + i * components * lanes);
-        });
+        LinkLights& of = links[i];
+        // s0 arrives in the solid angle of all links, but its part that polarization makes by coarse links.
+        if (!only_coarse) of.share = link.coarse_solid_angle / link.solid_angle;
+        if (bounced != nullptr && surfaces_.receiver_at(index) != kNoVertex) {
+            of.add(bounced->at(surfaces_.receiver_at(index)), 1);
+            if (bounced->numbers() > scalars) of.whole = of.count;
+        }
+        if (light != nullptr) {
+            const glm::vec3 weights = corner_weights(link);
+            for (glm::length_t k = 0; k < 3; ++k)
+                of.add(light->at(geometry_.triangles[link.triangle][k]), weights[k]);
+            if (light->numbers() > scalars) of.whole = of.count;
+        }
     }
+    std::size_t numbers = 0;
+    for (const LightColumns* const columns : {light, bounced})
+        if (columns != nullptr) numbers = std::max(numbers, std::min(columns->numbers(), all));
+    prefetch_lights(links[0]);
+    const VertexLight& found = find_rows(batch, rows);
+    dispatch<add_links>(LinkRows{.rows = found.row(0),
+                                 .row_size = all,
+                                 .components = rows.components(),
+                                 .scalars = scalars,
+                                 .numbers = numbers,
+                                 .lanes = (light != nullptr ? light : bounced)->lanes()},
+                        std::span<const LinkLights>(links).first(batch.count), stokes);
 }
 
 void Bounce::reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                               LightColumns& out) const {
-    const auto corners = [&](std::size_t index, const auto& add) {
-        const SurfaceLink& link = surfaces_.links()[index];
-        const glm::vec3 weights = corner_weights(link);
-        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], weights[k]);
-    };
     arrive(block, true, rows.components(), out,
            [&](const LinkedSurfaces::Batch& batch, bool /*coarse*/, Lanes* stokes) {
-               add_reflected(find_rows(batch, rows), true, light, corners, stokes);
+               add_reflected(batch, rows, true, &light, nullptr, stokes);
            });
 }
 
 void Bounce::reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                                LightColumns& out) const {
-    const auto receivers = [&](std::size_t index, const auto& add) {
-        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
-    };
     arrive(block, true, rows.components(), out,
            [&](const LinkedSurfaces::Batch& batch, bool /*coarse*/, Lanes* stokes) {
-               add_reflected(find_rows(batch, rows), true, light, receivers, stokes);
+               add_reflected(batch, rows, true, nullptr, &light, stokes);
            });
 }
 
 void Bounce::reflect_all(std::size_t block, const BounceRows& rows, const LightColumns& light,
                          const LightColumns* bounced, LightColumns& out) const {
-    const auto corners = [&](std::size_t index, const auto& add) {
-        const SurfaceLink& link = surfaces_.links()[index];
-        const glm::vec3 weights = corner_weights(link);
-        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], weights[k]);
-    };
-    const auto receivers = [&](std::size_t index, const auto& add) {
-        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
-    };
     arrive(block, false, rows.all.components(), out,
            [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* stokes) {
-               const BatchRows found = find_rows(batch, coarse ? rows.all : rows.scalar);
-               add_reflected(found, false, light, corners, stokes);
-               if (bounced != nullptr) add_reflected(found, false, *bounced, receivers, stokes);
+               add_reflected(batch, coarse ? rows.all : rows.scalar, false, &light, bounced, stokes);
            });
 }
 
 void Bounce::gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
                     const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const {
-    const auto receivers = [&](std::size_t index, const auto& add) {
-        if (surfaces_.receiver_at(index) != kNoVertex) add(surfaces_.receiver_at(index), 1.0F);
-    };
     const std::size_t components = rows.all.components(), lanes = out.lanes();
     arrive(block, false, components, out, [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* to) {
         if (bounced != nullptr)
-            add_reflected(find_rows(batch, coarse ? rows.all : rows.scalar), false, *bounced, receivers, to);
+            add_reflected(batch, coarse ? rows.all : rows.scalar, false, nullptr, bounced, to);
         const std::size_t arriving = coarse ? components : 1;
         for (std::size_t i = 0; i < batch.count; ++i)
             for (std::size_t c = 0; c < channels.size(); ++c)
@@ -230,32 +284,26 @@ struct Tail {
     double error = 0;  // squared norm of the error if all later bounces are taken to be alike
 };
 
-// Adds the light of one bounce to the numbers of s0.
-void add_scalars(const LightColumns& from, LightColumns& to) {
-    for (std::size_t r = 0; r < from.points(); ++r)
-        for (std::size_t j = 0; j < from.numbers() * from.lanes(); ++j)
-            for (std::size_t i = 0; i < kLanes; ++i) to.at(r)[j][i] += from.at(r)[j][i];
-}
-
 // Sum of `count` terms of a geometric series that begins with its ratio.
 double geometric(double ratio, int count) {
     return ratio * (1 - std::pow(ratio, count)) / (1 - ratio);
 }
 
+/// Sums over receivers of products of a column's first numbers.
+struct Products {
+    double old = 0;   // bounce before, with itself
+    double both = 0;  // bounce before, with the bounce
+    double now = 0;   // bounce, with itself
+    double own = 0;   // all bounces, with themselves
+};
+
 // Writes the later bounces b = (I - K)^-1 K y of y = ratio x before + d as ratio / (1 - ratio) y + K d /
 // ((1 - ratio) (I - K)), whose second term is the error.
-Tail tail_of(const LightColumns& before, const LightColumns& after, std::size_t column, double apart_before) {
-    double old = 0, both = 0, now = 0;
-    for (std::size_t r = 0; r < after.points(); ++r) {
-        const auto x = double{before.value(r, 0, column)}, y = double{after.value(r, 0, column)};
-        old += x * x;
-        both += x * y;
-        now += y * y;
-    }
+Tail tail_of(const Products& of, double apart_before) {
     Tail out;
-    if (!(old > 0)) return out;
-    out.ratio = std::clamp(both / old, 0.0, kLargestRatio);
-    out.apart = std::max(0.0, now - 2 * out.ratio * both + out.ratio * out.ratio * old);
+    if (!(of.old > 0)) return out;
+    out.ratio = std::clamp(of.both / of.old, 0.0, kLargestRatio);
+    out.apart = std::max(0.0, of.now - 2 * out.ratio * of.both + out.ratio * out.ratio * of.old);
     double decay = std::max(out.ratio, 0.5);
     if (apart_before > 0) decay = std::min(std::sqrt(out.apart / apart_before), kLargestRatio);
     const double factor = decay / ((1 - out.ratio) * (1 - decay));
@@ -263,61 +311,103 @@ Tail tail_of(const LightColumns& before, const LightColumns& after, std::size_t 
     return out;
 }
 
+// Adds factors, [column], times the light of some receivers to the numbers of s0.
+void add_scalars(const LightColumns& from, std::span<const Lanes> factors, std::size_t first,
+                 std::size_t last, LightColumns& to) {
+    const std::size_t lanes = from.lanes();
+    for (std::size_t r = first; r < last; ++r) {
+        const Lanes* const light = from.at(r);
+        Lanes* const sum = to.at(r);
+        for (std::size_t j = 0; j < from.numbers(); ++j)
+            for (std::size_t k = 0; k < lanes; ++k)
+                for (std::size_t i = 0; i < kLanes; ++i)
+                    sum[j * lanes + k][i] += factors[k][i] * light[j * lanes + k][i];
+    }
+}
+
+// Sets the columns' products of some receivers.
+void find_products(const LightColumns& before, const LightColumns& after, const LightColumns& sum,
+                   std::size_t first, std::size_t last, std::span<Products> out) {
+    std::ranges::fill(out, Products());
+    for (std::size_t r = first; r < last; ++r)
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            const auto x = double{before.value(r, 0, c)}, y = double{after.value(r, 0, c)},
+                       all = double{sum.value(r, 0, c)};
+            out[c].old += x * x;
+            out[c].both += x * y;
+            out[c].now += y * y;
+            out[c].own += all * all;
+        }
+}
+
 }  // namespace
 
 BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces, const ReflectionRows& scalar,
-                         LightColumns first, const LastBounce& last, const SeriesEnd& end, RenderRun& run) {
-    const std::size_t columns = first.columns(), scalars = scalar.light().size();
+                         const FirstBounce& first, const LastBounce& last, const SeriesSize& size,
+                         const SeriesEnd& end, RenderRun& run) {
+    const std::size_t columns = size.columns, scalars = scalar.light().size();
+    const std::size_t receivers = surfaces.receivers();
     BounceSeries out;
     out.rounds = 1;
     out.left.assign(columns, 0.0);
+    // body(block, first receiver, end of its receivers)
     const auto for_blocks = [&](const auto& body) {
         run.workers.for_blocks(surfaces.blocks(), end.verb, run.progress,
                                [&](std::size_t begin, std::size_t last) {
-                                   for (std::size_t b = begin; b < last; ++b) body(b);
+                                   for (std::size_t b = begin; b < last; ++b)
+                                       body(b, b * kLanes, std::min((b + 1) * kLanes, receivers));
                                });
     };
-    LightColumns sum = std::move(first);
-    out.light = LightColumns(surfaces.receivers(), sum.numbers(), columns);
+    out.light = LightColumns(receivers, size.numbers, columns);
     if (end.bounces == 1) {
-        for_blocks([&](std::size_t b) { last(b, nullptr, out.light); });
+        for_blocks([&](std::size_t b, std::size_t, std::size_t) { last(b, nullptr, out.light); });
         return out;
     }
-    LightColumns before(surfaces.receivers(), scalars, columns), after = before;
-    for (std::size_t r = 0; r < surfaces.receivers(); ++r)
-        std::copy_n(sum.at(r), scalars * before.lanes(), before.at(r));
+    LightColumns sum = out.light;
+    LightColumns before(receivers, scalars, columns), after = before;
+    for_blocks([&](std::size_t b, std::size_t begin, std::size_t stop) {
+        first(b, sum);
+        for (std::size_t r = begin; r < stop; ++r)
+            std::copy_n(sum.at(r), scalars * before.lanes(), before.at(r));
+    });
+    std::vector<Lanes> factors(before.lanes());
+    std::vector<Products> products(surfaces.blocks() * columns);
     std::vector<Tail> tails(columns);
     // The last bounce is that of all components below.
     while (++out.rounds < end.bounces) {
-        for_blocks([&](std::size_t b) { bounce.reflect_receivers(b, scalar, before, after); });
-        add_scalars(after, sum);
+        for (Lanes& factor : factors) factor.value.fill(1);
+        for_blocks([&](std::size_t b, std::size_t begin, std::size_t stop) {
+            bounce.reflect_receivers(b, scalar, before, after);
+            add_scalars(after, factors, begin, stop, sum);
+            find_products(before, after, sum, begin, stop, std::span(products).subspan(b * columns, columns));
+        });
         double most = 0, power = end.all;
         for (std::size_t c = 0; c < columns; ++c) {
-            tails[c] = tail_of(before, after, c, tails[c].apart);
-            most = std::max(most, tails[c].error);
-            double own = 0;
-            for (std::size_t r = 0; r < surfaces.receivers(); ++r) {
-                const auto value = double{sum.value(r, 0, c)};
-                own += value * value;
+            Products all;
+            for (std::size_t k = c; k < products.size(); k += columns) {
+                all.old += products[k].old;
+                all.both += products[k].both;
+                all.now += products[k].now;
+                all.own += products[k].own;
             }
-            power = std::max(power, own);
+            tails[c] = tail_of(all, tails[c].apart);
+            most = std::max(most, tails[c].error);
+            power = std::max(power, all.own);
         }
         std::swap(before, after);
         if (most > end.negligible * end.negligible * power && out.rounds < kMostRounds) continue;
         const int later = end.bounces - 1 - out.rounds;
         for (std::size_t c = 0; c < columns; ++c) {
-            const auto factor = static_cast<float>(geometric(tails[c].ratio, later));
+            factors[c / kLanes][c % kLanes] = static_cast<float>(geometric(tails[c].ratio, later));
             out.left[c] = tails[c].error;
-            for (std::size_t r = 0; r < surfaces.receivers(); ++r)
-                for (std::size_t j = 0; j < scalars; ++j) {
-                    const std::size_t at = j * sum.lanes() + c / kLanes;
-                    sum.at(r)[at][c % kLanes] += factor * before.at(r)[at][c % kLanes];
-                }
         }
+        for_blocks([&](std::size_t, std::size_t begin, std::size_t stop) {
+            add_scalars(before, factors, begin, stop, sum);
+        });
         ++out.rounds;
         break;
     }
-    for_blocks([&](std::size_t b) { last(b, &sum, out.light); });
+    for_blocks([&](std::size_t b, std::size_t, std::size_t) { last(b, &sum, out.light); });
     return out;
 }
 

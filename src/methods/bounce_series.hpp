@@ -55,20 +55,19 @@ public:
                 const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const;
 
 private:
-    /// Rows of a batch of links, [link][component][number].
-    struct BatchRows;
-
     /// leave(batch, coarse, stokes): adds the Stokes vectors that leave along a batch's links, [link]
     /// [component][Lanes of columns]: all components of coarse links, s0 of others. only_coarse: whether
     /// light arrives by coarse links alone.
     template <class Leave>
     void arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
                 const Leave& leave) const;
-    /// Adds what leaves along links of light at points. points(link, add): calls add(point, weight) for each.
-    template <class Points>
-    void add_reflected(const BatchRows& rows, bool only_coarse, const LightColumns& light,
-                       const Points& points, Lanes* stokes) const;
-    [[nodiscard]] BatchRows find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const;
+    /// Adds what leaves along the links of a batch of light at vertices and of bounced light at receivers, of
+    /// which one may be null.
+    void add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, bool only_coarse,
+                       const LightColumns* light, const LightColumns* bounced, Lanes* stokes) const;
+    /// Returns the rows of a batch of links, [link][component][number], which the thread's next call changes.
+    [[nodiscard]] const VertexLight& find_rows(const LinkedSurfaces::Batch& batch,
+                                               const ReflectionRows& rows) const;
 
     const WorldGeometry& geometry_;
     const DirectionSet& directions_;
@@ -98,17 +97,26 @@ struct BounceSeries {
     std::vector<double> left;  ///< sum over receivers of each column's estimated squared error, as `all`
 };
 
+/// Size of a series' lights.
+struct SeriesSize {
+    std::size_t numbers;  ///< of the layout
+    std::size_t columns;
+};
+
+/// Sets the light of the first bounce at a block of receivers.
+using FirstBounce = std::function<void(std::size_t block, LightColumns& out)>;
 /// Sets the light of all bounces at a block of receivers. sum: all bounces but the last; null: there is one
 /// bounce.
 using LastBounce = std::function<void(std::size_t block, const LightColumns* sum, LightColumns& out)>;
 
-/// Sums the bounces. first: light that arrives by the first bounce, which continues to bounce; all numbers of
-/// the layout. s0 bounces along coarse links until the end; the polarization of light survives one more
-/// bounce, because a surface that reflects twice leaves little of it. `last` takes all links, over which the
-/// noise of the others averages. In the end, bounces are a geometric series, whose ratio the last two tell:
-/// its sum replaces the bounces that are left out.
+/// Sums the bounces. first: light that arrives by the first bounce and continues to bounce; not called if
+/// there is one bounce. s0 bounces along coarse links until the end; the polarization of light survives one
+/// more bounce, because a surface that reflects twice leaves little of it. `last` takes all links, over which
+/// the noise of the others averages. In the end, bounces are a geometric series, whose ratio the last two
+/// tell: its sum replaces the bounces that are left out.
 [[nodiscard]] BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces,
-                                       const ReflectionRows& scalar, LightColumns first,
-                                       const LastBounce& last, const SeriesEnd& end, RenderRun& run);
+                                       const ReflectionRows& scalar, const FirstBounce& first,
+                                       const LastBounce& last, const SeriesSize& size, const SeriesEnd& end,
+                                       RenderRun& run);
 
 }  // namespace nicol
