@@ -4,122 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "material/spatial_variation.hpp"
-#include "simd/dispatch.hpp"
-#include "simd/lane_vector.hpp"
+#include "methods/link_lights.hpp"
 #include "simd/work_space.hpp"
 #include "surfaces/plain_materials.hpp"
 
 namespace nicol {
-namespace {
-
-/// Lights that leave along a link together, each times its weight.
-struct LinkLights {
-    std::array<const Lanes*, 4> lights;
-    std::array<float, 4> weights;
-    std::uint32_t count = 0;  // 0, 1, 3 or 4
-    std::uint32_t whole = 0;  // leading ones that have numbers beyond those of s0: all, the first or none
-    float share = 1;          // factor of these numbers' part of s0
-
-    void add(const Lanes* light, float weight) {
-        lights[count] = light;
-        weights[count++] = weight;
-    }
-};
-
-/// Rows of a batch of links and the numbers that they multiply.
-struct LinkRows {
-    const float* rows;  // [link][component][number]
-    std::size_t row_size;
-    std::size_t components;
-    std::size_t scalars;  // count of the numbers of s0
-    std::size_t numbers;
-    std::size_t lanes;
-};
-
-// Asks for the memory where lights begin. What follows comes by itself, because it is read in order.
-[[gnu::always_inline]] inline void prefetch_lights(const LinkLights& link) {
-    constexpr std::size_t lines = 4;
-    for (std::size_t n = 0; n < link.count; ++n)
-        for (std::size_t k = 0; k < lines; ++k) __builtin_prefetch(link.lights[n] + k);
-}
-
-// Adds rows x weighted sum of lights for some numbers, `width` Lanes side by side from `lane` on. share:
-// factor of the first component.
-template <std::size_t components, std::size_t count, std::size_t width>
-[[gnu::always_inline]] inline void add_numbers(const LinkRows& of, const float* rows, const LinkLights& link,
-                                               std::size_t first, std::size_t last, float share,
-                                               std::size_t lane, LaneVector* sums) {
-    for (std::size_t j = first; j < last; ++j)
-        for (std::size_t k = 0; k < width; ++k) {
-            const std::size_t at = j * of.lanes + lane + k;
-            LaneVector light;
-            load(link.lights[0] + at, light);
-            light *= link.weights[0];
-            for (std::size_t n = 1; n < count; ++n) {
-                LaneVector other;
-                load(link.lights[n] + at, other);
-                light += link.weights[n] * other;
-            }
-            for (std::size_t p = 0; p < components; ++p)
-                sums[p * width + k] += (p == 0 ? share : 1.0F) * rows[p * of.row_size + j] * light;
-        }
-}
-
-template <std::size_t components, std::size_t width>
-[[gnu::always_inline]] inline void add_some_numbers(const LinkRows& of, const float* rows,
-                                                    const LinkLights& link, std::uint32_t count,
-                                                    std::size_t first, std::size_t last, float share,
-                                                    std::size_t lane, LaneVector* sums) {
-    if (count == 4) add_numbers<components, 4, width>(of, rows, link, first, last, share, lane, sums);
-    if (count == 3) add_numbers<components, 3, width>(of, rows, link, first, last, share, lane, sums);
-    if (count == 1) add_numbers<components, 1, width>(of, rows, link, first, last, share, lane, sums);
-}
-
-template <std::size_t components, std::size_t width>
-[[gnu::always_inline]] inline void add_link(const LinkRows& of, const float* rows, const LinkLights& link,
-                                            std::size_t lane, Lanes* stokes) {
-    LaneVector sums[components * width] = {};
-    add_some_numbers<components, width>(of, rows, link, link.count, 0, of.scalars, 1, lane, sums);
-    if (of.numbers > of.scalars)
-        add_some_numbers<components, width>(of, rows, link, link.whole, of.scalars, of.numbers, link.share,
-                                            lane, sums);
-    for (std::size_t p = 0; p < components; ++p)
-        for (std::size_t k = 0; k < width; ++k) {
-            Lanes* const to = stokes + p * of.lanes + lane + k;
-            LaneVector sum;
-            load(to, sum);
-            sum += sums[p * width + k];
-            store(to, sum);
-        }
-}
-
-template <std::size_t components>
-[[gnu::always_inline]] inline void add_links_of(const LinkRows& of, std::span<const LinkLights> links,
-                                                Lanes* stokes) {
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        if (i + 1 < links.size()) prefetch_lights(links[i + 1]);
-        const float* const rows = of.rows + i * components * of.row_size;
-        Lanes* const to = stokes + i * components * of.lanes;
-        std::size_t lane = 0;
-        for (; lane + 2 <= of.lanes; lane += 2) add_link<components, 2>(of, rows, links[i], lane, to);
-        if (lane < of.lanes) add_link<components, 1>(of, rows, links[i], lane, to);
-    }
-}
-
-// Adds what a batch of links reflects of lights to Stokes components, [link][component][Lanes of columns].
-[[gnu::always_inline]] inline void add_links(const LinkRows& of, std::span<const LinkLights> links,
-                                             Lanes* stokes) {
-    if (of.components == 1) add_links_of<1>(of, links, stokes);
-    if (of.components == 3) add_links_of<3>(of, links, stokes);
-    if (of.components == 4) add_links_of<4>(of, links, stokes);
-}
-
-}  // namespace
 
 Bounce::Bounce(const WorldGeometry& geometry, const DirectionSet& directions, const LinkedSurfaces& surfaces,
                const BounceTables& tables, const ArrivingLight& arrival, const LightLayout& layout,
@@ -219,15 +112,15 @@ void Bounce::add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionR
     std::size_t numbers = 0;
     for (const LightColumns* const columns : {light, bounced})
         if (columns != nullptr) numbers = std::max(numbers, std::min(columns->numbers(), all));
-    prefetch_lights(links[0]);
+    links[0].prefetch();
     const VertexLight& found = find_rows(batch, rows);
-    dispatch<add_links>(LinkRows{.rows = found.row(0),
-                                 .row_size = all,
-                                 .components = rows.components(),
-                                 .scalars = scalars,
-                                 .numbers = numbers,
-                                 .lanes = (light != nullptr ? light : bounced)->lanes()},
-                        std::span<const LinkLights>(links).first(batch.count), stokes);
+    add_links({.rows = found.row(0),
+               .row_size = all,
+               .components = rows.components(),
+               .scalars = scalars,
+               .numbers = numbers,
+               .lanes = (light != nullptr ? light : bounced)->lanes()},
+              std::span<const LinkLights>(links).first(batch.count), stokes);
 }
 
 void Bounce::reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,

@@ -159,15 +159,19 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
     });
     changed |= weighting_.run(input.versions, input.materials,
                               [&] { links_.change().find_weights(input.geometry); });
-    makes_rows_ =
-        input.bounces_apart ||
-        (input.at_pixels && std::ranges::any_of(input.geometry.ranges, [&](const VertexRange& range) {
-             return any_sampled(*range.material, input.sampled);
-         }));
-    if (makes_rows_)
+    const bool covers =
+        input.at_pixels && std::ranges::any_of(input.geometry.ranges, [&](const VertexRange& range) {
+            return any_sampled(*range.material, input.sampled);
+        });
+    makes_rows_ = input.bounces_apart || covers;
+    if (covers)
         changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
             coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
         });
+    if (covers_ != covers) {
+        covers_ = covers;
+        relighting_.reset();
+    }
     std::optional<LightKind> kind = kind_of(input.light);
     // Light with all numbers may lack components that gradients are wanted by.
     if (kind && input.layout.kind() == LightKind::full) kind = LightKind::full;
@@ -219,14 +223,13 @@ void Bounces::combine(const TransferInput& input, RenderRun& run) {
     const auto channels = static_cast<std::size_t>(input.channels);
     const std::vector<float> light = columns_->numbers_of(input.light, input.channels);
     const std::size_t lights = light.size() / channels;
-    // Coverage by surfaces is one channel more.
+    // Coverage by surfaces is one channel more, which is 0 if nothing asks for it.
     const std::size_t size = (channels + (makes_rows_ ? 1 : 0)) * numbers;
     at_receivers_.assign(links_->receivers() * size, 0.0F);
     std::vector<glm::dvec2> powers(links_->receivers());  // of bounced and of all light
     const auto combine_at = [&](std::size_t r) {
         const std::span row = std::span(at_receivers_).subspan(r * size, channels * numbers);
-        if (makes_rows_)
-            std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
+        if (covers_) std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
         columns_->add(r, light, row);
         for (std::size_t g = 0; g < lit_->size(); ++g)
             for (std::size_t k = 0; k < columns_->groups()[g].size(); ++k)
@@ -330,10 +333,10 @@ std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind
     const std::uint64_t lights = light ? LightLayout(kBouncingOrder, *light).size() : 0;
     const std::uint64_t light_of_one = planes * numbers * sizeof(float);
     const std::uint64_t coverage = numbers * sizeof(float);
-    // Links to all parts of strata, the map for materials that differ in all channels, the light of local
-    // lights and all light, both with coverage.
+    // Links to all parts of the strata above the surface, the map for materials that differ in all channels,
+    // the light of local lights and all light, both with coverage.
     const std::uint64_t receiver =
-        kLinkStrata * kPartsOfStratum * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
+        kLinkStrata / 2 * kPartsOfStratum * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
         (planes * numbers + 1) * lights * sizeof(float) + 2 * (light_of_one + coverage);
     // The light, and the rows for sampled terms.
     return receiver / kVerticesOfReceiver + 2 * light_of_one + coverage + sizeof(Receivers::Blend);

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const VertexLight& light() const noexcept { return *light_; }
     /// Returns the bounced light and, as the last channel, the coverage of directions by surfaces, as
     /// BouncedLight takes them: in the geometry's axes, as rows of layout(). Empty unless bounced light stays
-    /// apart or pixels are shaded whose materials have sampled terms.
+    /// apart or pixels are shaded whose materials have sampled terms; the coverage is 0 without the latter.
     [[nodiscard]] const VertexLight& rows() const noexcept { return rows_; }
     [[nodiscard]] const LightLayout& layout() const noexcept { return *layout_; }
     /// Returns, for each number of light(), its index in a light of the layout of relight().
@@ -81,6 +81,7 @@ private:
     Versioned<LitSeries> lit_;          // bounced light of local lights
     std::vector<float> local_;          // local_light_at_receivers(); empty: there is none
     bool makes_rows_ = false;           // whether rows() is made
+    bool covers_ = false;               // whether its last channel is more than 0
     // Inputs: columns, distant light, lit_, whether pixels are shaded, makes_rows_, whether bounced light
     // stays apart.
     Stage<Version, Version, Version, bool, bool, bool> relighting_;

@@ -106,7 +106,10 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
     }
     kept.light = input.light_version;
     auto& relighting = kept.relighting;
-    if (!relighting.update(input, executor.version(), input.light_version, bounces_.version())) return;
+    // Bounced light that stays apart is no part of the vertices' light.
+    const Version bounced = input.bounces_apart ? Version{0} : bounces_.version();
+    if (!relighting.update(input, executor.version(), input.light_version, input.layout.kind(), bounced))
+        return;
     if (relighting.has_renumbered()) {
         if (executor.renumber(relighting.former(), input.at_pixels, run))
             relighting.renumbered();

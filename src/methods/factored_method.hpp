@@ -55,8 +55,8 @@ private:
     Bounces bounces_;
     // Light that the executor keeps, for vertices or for pixels.
     struct KeptLight {
-        // Inputs: executor, light, bounced light.
-        VertexStage<Version, Version, Version> relighting{{.renumbers = true}};
+        // Inputs: executor, light, its components, bounced light.
+        VertexStage<Version, Version, LightKind, Version> relighting{{.renumbers = true}};
         std::size_t vertices = 0;
         Version light = 0;
     };

@@ -22,7 +22,7 @@ class LocalLights;
 struct TransferInput : SurfaceState {
     const LightLayout& layout;
     const PshVector& light;  ///< coefficients in the geometry's axes; one channel if all are equal
-    Version light_version;   ///< version of `light` and `layout`
+    Version light_version;   ///< version of `light` and the order of `layout`
     int channels;            ///< channels of the image
     SampledTerms sampled;    ///< terms of materials that are not reflected in harmonics
     /// Whether pixels are shaded instead of vertices. If so, relight leaves light in the geometry's axes,

@@ -145,10 +145,15 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         lighting, run);
     rays_.release();
     sampled_ = local_lights_.any() || follows_smooth(options, executor);
-    pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     // Only low orders bounce, so their polarization says nothing of the light's high orders.
     const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
                            light_kind(split_.rest().get()) != LightKind::unpolarized;
+    // The layout below differs between vertices and pixels, and a change of it bakes all vertices anew, so
+    // that no camera may cause one.
+    RenderOptions placed = options;
+    if (bounces > 0 && follows_rays && !polarized && options.shade_at == ShadeAt::automatic)
+        placed.shade_at = ShadeAt::pixels;
+    pixels_ = shades_pixels(scene, projection, light_to_geometry, placed, executor, run.statistics);
     // If bounces alone are polarized, they stay apart: direct light then needs no orders of s1 and s2.
     const bool apart =
         bounces > 0 && pixels_ && follows_rays && (smooth_.any() ? smooth_.mirrors() : !polarized);

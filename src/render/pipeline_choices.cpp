@@ -4,6 +4,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/pipeline.hpp"
+#include "scene/path_depth.hpp"
 
 namespace nicol {
 namespace {
@@ -24,8 +25,9 @@ void Pipeline::project_ahead(const Scene& scene, SampledTerms sampled, const Ren
     // glass.
     if (options.pixel_samples > 1 || scene.transmits()) return;
     if (predicts_orders(options)) selector_.prepare(scene, {split_.rest(), sampled}, projection_);
-    if (options.shade_at != ShadeAt::pixels && !scene.varies() && scene.lights().empty() &&
-        split_.extracted_lights().empty())
+    // Bounces mostly put shading at pixels.
+    if (options.shade_at != ShadeAt::pixels && options.max_depth <= kDirectLightDepth && !scene.varies() &&
+        scene.lights().empty() && split_.extracted_lights().empty())
         interpolation_error_.prepare(scene, split_.rest());
 }
 

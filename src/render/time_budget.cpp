@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "draw/sample_pattern.hpp"
+#include "scene/path_depth.hpp"
 
 namespace nicol {
 namespace {
@@ -61,7 +62,9 @@ std::vector<Effort> efforts(const RenderOptions& given, bool at_vertices) {
     std::vector<int> pixel_samples{given.pixel_samples};
     while (pixel_samples.back() > 1) pixel_samples.push_back(fewer(pixel_samples.back(), given.filter));
     std::vector<ShadeAt> places{given.shade_at};
-    if (at_vertices && given.shade_at == ShadeAt::automatic) places.push_back(ShadeAt::vertices);
+    // Bounces may keep other light for vertices than for pixels, whose bake would take longer than it saves.
+    const bool bounces = given.max_depth > kDirectLightDepth;
+    if (at_vertices && !bounces && given.shade_at == ShadeAt::automatic) places.push_back(ShadeAt::vertices);
     const int doublings = given.choose_orders && given.tolerance > 0 ? kMostDoublings : 0;
 
     std::vector<Effort> out;

@@ -188,10 +188,19 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
         const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
         choice = choose(geometry, search, order, scale, limit, progress);
     }
-    tbb::parallel_for(std::size_t{0}, choice.receivers.size(), [&](std::size_t k) {
-        search.refine(choice.receivers[k].vertex, choice.receivers[k].links);
-    });
+    constexpr std::size_t together = 4096;  // receivers between two reports
+    std::size_t links = 0;
+    for (std::size_t first = 0; first < choice.receivers.size(); first += together) {
+        if (progress) progress(static_cast<double>(first) / static_cast<double>(choice.receivers.size()));
+        const std::size_t last = std::min(first + together, choice.receivers.size());
+        tbb::parallel_for(first, last, [&](std::size_t k) {
+            search.refine(choice.receivers[k].vertex, choice.receivers[k].links);
+        });
+        for (std::size_t k = first; k < last; ++k) links += choice.receivers[k].links.size();
+    }
     Receivers out;
+    out.vertices.reserve(choice.receivers.size());
+    out.links.reserve(links);
     ReceiverGrid grid(scale);
     std::vector<std::uint32_t> own(visibility.vertices(), kNoVertex);  // receiver of each vertex that is one
     for (Choice::Receiver& chosen : choice.receivers) {
@@ -201,6 +210,7 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
         out.vertices.push_back(chosen.vertex);
         for (SurfaceLink& link : chosen.links) link.receiver = receiver;
         out.links.insert(out.links.end(), chosen.links.begin(), chosen.links.end());
+        chosen.links = {};
     }
     out.blends.resize(visibility.vertices());
     tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t k) {

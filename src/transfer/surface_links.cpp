@@ -171,7 +171,8 @@ void LinkSearch::refine(std::size_t vertex, std::vector<SurfaceLink>& links) con
         find_blocked(vertex, begin, end, blocked);
         if (blocked.empty()) continue;
         const std::uint32_t chosen = blocked[choice(vertex, stratum, blocked.size())];
-        for (std::size_t first = begin; first < end; first += part_size) {
+        std::size_t part = stratum * kPartsOfStratum;
+        for (std::size_t first = begin; first < end; first += part_size, ++part) {
             const std::size_t last = std::min(first + part_size, end);
             SurfaceLink link{};
             link.solid_angle = find_blocked(vertex, first, last, blocked);
@@ -182,7 +183,7 @@ void LinkSearch::refine(std::size_t vertex, std::vector<SurfaceLink>& links) con
                     links[next++].solid_angle = link.solid_angle;
                 continue;
             }
-            link.direction = blocked[choice_in_part(vertex, first / part_size, blocked.size())];
+            link.direction = blocked[choice_in_part(vertex, part, blocked.size())];
             add(vertex, link, links);
         }
     }

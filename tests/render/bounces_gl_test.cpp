@@ -173,6 +173,40 @@ IMAGE_TEST_CASE("bounces are computed when the light changes, and not for a came
     CHECK(render.statistics.vertices_traced == 0);
 }
 
+IMAGE_TEST_CASE("no camera makes bounces bake or project again, be it near or far") {
+    test::Studio render(context);
+    const Scene scene = colored_corner();
+    RenderOptions options = bouncing(5);
+    options.shade_at = ShadeAt::automatic;
+    options.executor = Executor::cpu;
+    // From afar, vertices would do for this tolerance, and from near they would not.
+    options.tolerance = 0.06;
+    const Camera near = test::camera_at({0.9, 0.4, 0.9}, {0, -0.3, 0}), far = test::camera_at({20, 30, 40});
+    static_cast<void>(render(scene, options, far));
+    static_cast<void>(render(scene, options, near));
+    for (const Camera& camera : {far, near}) {
+        static_cast<void>(render(scene, options, camera));
+        CHECK(render.statistics.bake_ms == 0);
+        CHECK(render.statistics.materials_projected == 0);
+    }
+}
+
+IMAGE_TEST_CASE(
+    "bounced light that stays apart at pixels makes the picture that it makes as part of all light") {
+    test::Studio render(context, 32, 24);
+    const MaterialPtr metal = test::some_metal(0.4);
+    Scene scene = corner(diffuse({0.6}), metal, metal);
+    scene.set_environment(test::falling_light(3, false), glm::dmat3(1), 1);
+    RenderOptions options = bouncing(5);
+    options.executor = Executor::cpu;
+    const StokesImage apart = render(scene, options);
+    const std::uint64_t bytes = render.statistics.transfer_bytes;
+    options.disabled_optimisations = skip_light_components;
+    const StokesImage whole = render(scene, options);
+    CHECK(render.statistics.transfer_bytes > bytes);
+    CHECK(rms_difference(apart, whole) < 1e-3 * rms(whole));
+}
+
 IMAGE_TEST_CASE("after any change, bounced light is that of a fresh start") {
     test::Studio render(context);
     Scene scene = colored_corner();
