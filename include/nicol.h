@@ -1479,8 +1479,8 @@ typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_shade_at;
 /* Pixels if the interpolation of Stokes vectors between vertices is predicted to err by more than the
  * tolerance, because normals or view directions change much across triangles for the lobes of the materials.
- * Also pixels for local lights, for a material that varies by a texture, and for several samples per pixel by
- * threads, which cost less there. Otherwise vertices. */
+ * Also pixels for local lights, for a material that varies by a texture, and by threads for several samples
+ * per pixel, which cost less there, and where unpolarized light bounces. Otherwise vertices. */
 #define NICOL_SHADE_AT_AUTOMATIC 0u
 /* Vertices: Stokes vectors are interpolated across triangles, which is fast, and right where triangles cover
  * few pixels. Materials that vary by textures give NICOL_ERROR_UNSUPPORTED. */
