@@ -44,7 +44,8 @@ FocusingSurface::Place FocusingSurface::place(std::size_t i, std::size_t count) 
     constexpr double blocks = 64;
     const double paths = (areas[chosen] - before) * per_area;
     const std::size_t block = std::bit_floor(static_cast<std::size_t>(std::max(1.0, paths / blocks)));
-    const double turn = static_cast<double>(index / block + first);
+    const std::size_t turns = index / block + first;
+    const auto turn = static_cast<double>(turns);
     const double root = std::sqrt(point.x);
     return {.triangle = triangles[chosen],
             .b1 = root * (1 - point.y),
