@@ -8,20 +8,32 @@ using namespace nicol::capi;
 
 namespace {
 
-// Makes a material of another one and a texture: combine(base, texture).
-template <class Combine>
-nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
-                             nicol_material* material, Combine&& combine,
-                             const char* function = __builtin_FUNCTION()) {
+// Makes a material of another one: make(base, context).
+template <class Make>
+nicol_result create_of(nicol_context context, nicol_material base, nicol_material* material, Make&& make,
+                       const char* function = __builtin_FUNCTION()) {
     return guarded(
         [&] {
             require(material, "material");
             const nicol_context_impl session = resolve(context);
             const nicol_material_impl of = resolve(base);
-            const nicol_texture_impl by = resolve(texture);
             require_same_context(session, of);
+            *material = make_handle<nicol_material_impl>(session.session, make(of.content, session));
+        },
+        function);
+}
+
+// Makes a material of another one and a texture: combine(base, texture).
+template <class Combine>
+nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
+                             nicol_material* material, Combine&& combine,
+                             const char* function = __builtin_FUNCTION()) {
+    return create_of(
+        context, base, material,
+        [&](const MaterialPtr& of, const nicol_context_impl& session) {
+            const nicol_texture_impl by = resolve(texture);
             require_same_context(session, by);
-            *material = make_handle<nicol_material_impl>(session.session, combine(of.content, by.content));
+            return combine(of, by.content);
         },
         function);
 }
@@ -30,13 +42,8 @@ nicol_result create_textured(nicol_context context, nicol_material base, nicol_t
 
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
                                             nicol_material* material) {
-    return guarded([&] {
-        require(material, "material");
-        const nicol_context_impl session = resolve(context);
-        const nicol_material_impl source = resolve(front);
-        require_same_context(session, source);
-        *material = make_handle<nicol_material_impl>(session.session, twosided(source.content));
-    });
+    return create_of(context, front, material,
+                     [](const MaterialPtr& of, const nicol_context_impl&) { return twosided(of); });
 }
 
 nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale,
@@ -71,13 +78,8 @@ nicol_result nicol_material_create_bump_map(nicol_context context, nicol_materia
 
 nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base,
                                            nicol_texture directions, double angle, nicol_material* material) {
-    return guarded([&] {
-        require(material, "material");
-        const nicol_context_impl session = resolve(context);
-        const nicol_material_impl of = resolve(base);
-        require_same_context(session, of);
-        *material = make_handle<nicol_material_impl>(
-            session.session, rotated(of.content, texture_of(directions, session), angle));
+    return create_of(context, base, material, [&](const MaterialPtr& of, const nicol_context_impl& session) {
+        return rotated(of, texture_of(directions, session), angle);
     });
 }
 

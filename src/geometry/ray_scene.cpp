@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/beyond_hit.hpp"
 #include "geometry/embree.hpp"
 #include "geometry/largest_coordinate.hpp"
 #include "geometry/ray_beam.hpp"
@@ -18,7 +19,6 @@ namespace nicol {
 namespace {
 
 constexpr float kSmallestScene = 1e-6F;
-constexpr double kLeftOut = 1e-4;  // fraction of a ray's length that is not traced, at its end
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
@@ -378,8 +378,7 @@ std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) 
 }
 
 double RayScene::end(const glm::vec3& origin, double farthest) const noexcept {
-    return scale_ *
-           ((1 - kLeftOut) * farthest - kRayOffset * static_cast<double>(largest_coordinate(origin)));
+    return scale_ * before_light(farthest, static_cast<double>(largest_coordinate(origin)));
 }
 
 }  // namespace nicol

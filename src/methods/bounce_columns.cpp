@@ -49,7 +49,7 @@ public:
     [[nodiscard]] BounceRows rows() const noexcept { return {.scalar = scalar_, .all = all_}; }
 
     /// start(bounce, block, out): sets the light of the first bounce at a block of receivers. end(bounce,
-    /// block, rows, sum, out): see LastBounce.
+    /// block, sum, out): see LastBounce.
     template <class Start, class End>
     [[nodiscard]] BounceSeries run(std::size_t channel, std::size_t columns, double all, const Start& start,
                                    const End& end, RenderRun& run) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/pipeline.hpp"
+#include "surfaces/photon_paths.hpp"
 
 namespace nicol {
 namespace {
@@ -12,8 +13,7 @@ namespace {
 int smooth_events(int max_depth) {
     // Direct light is the default, which does not say how often glass is passed.
     constexpr int of_direct_light = 8;
-    constexpr int most = 64;
-    return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
+    return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, kMostSmoothEvents);
 }
 
 }  // namespace

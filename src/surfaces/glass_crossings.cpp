@@ -11,6 +11,7 @@
 
 #include "geometry/beyond_hit.hpp"
 #include "material/dielectric.hpp"
+#include "surfaces/triangle_offset.hpp"
 
 namespace nicol {
 
@@ -28,16 +29,11 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstH
         std::fill(boundaries.begin() + first, boundaries.begin() + last, boundary);
         std::fill(passed.begin() + first, passed.begin() + last, range.roles.casts_shadows ? 0 : 1);
     }
-    const auto offset_of = [&geometry](const RayHit& hit) {
-        const glm::uvec3& corners = geometry.triangles[hit.triangle];
-        return ray_offset(
-            {geometry.positions[corners.x], geometry.positions[corners.y], geometry.positions[corners.z]});
-    };
-    return [&geometry, offset_of, intersect = std::move(intersect), boundaries = std::move(boundaries),
+    return [&geometry, intersect = std::move(intersect), boundaries = std::move(boundaries),
             passed = std::move(passed)](Ray ray) -> std::optional<GlassShadows::Crossing> {
         std::optional<RayHit> hit = intersect(ray);
         while (hit && passed[hit->triangle] != 0) {
-            ray.nearest = beyond(*hit, offset_of(*hit));
+            ray.nearest = beyond(*hit, offset_of_triangle(geometry, hit->triangle));
             hit = intersect(ray);
         }
         if (!hit) return std::nullopt;
@@ -49,7 +45,7 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry, FirstH
         return GlassShadows::Crossing{.boundary = boundaries[hit->triangle],
                                       .normal = length > 0 ? normal / length : -ray.direction,
                                       .distance = hit->distance,
-                                      .offset = offset_of(*hit)};
+                                      .offset = offset_of_triangle(geometry, hit->triangle)};
     };
 }
 

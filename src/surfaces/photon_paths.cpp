@@ -33,8 +33,7 @@ constexpr std::size_t kLeastPilots = kLanes;
 constexpr std::size_t kMostPilots = 1024;
 // Fewer photons in all have no density.
 constexpr std::size_t kLeastPhotons = 48;
-// Largest number of events of a path, and the part of its power at the start below which it ends.
-constexpr int kMostEvents = 64;
+// Part of its power at the start below which a path ends.
 constexpr double kNegligiblePower = 1e-4;
 // Share of the time that pilots take, for reports of progress.
 constexpr double kPilotsShare = 0.1;
@@ -109,7 +108,7 @@ public:
     Tracer(const PhotonScene& scene, std::span<const FocusingSurface> smooth,
            std::span<const LightSourcePtr> sources)
         : scene_(scene),
-          events_(std::min(scene.events, kMostEvents)),
+          events_(std::min(scene.events, kMostSmoothEvents)),
           smooth_(smooth),
           sources_(sources),
           rays_(scene.geometry, scene.smooth) {}

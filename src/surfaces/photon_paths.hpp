@@ -14,11 +14,15 @@
 
 namespace nicol {
 
+/// Largest number of reflections and refractions at smooth surfaces, on paths of light and of rays from
+/// pixels.
+inline constexpr int kMostSmoothEvents = 64;
+
 /// Surfaces that photons meet.
 struct PhotonScene {
     const WorldGeometry& geometry;
     const SmoothSurfaces& smooth;
-    int events;            ///< largest number of reflections and refractions on a path; 64 at most count
+    int events;  ///< largest number of reflections and refractions on a path; at most kMostSmoothEvents count
     std::size_t channels;  ///< of the image
 };
 

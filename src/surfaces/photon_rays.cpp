@@ -8,6 +8,7 @@
 
 #include "geometry/beyond_hit.hpp"
 #include "geometry/largest_coordinate.hpp"
+#include "surfaces/triangle_offset.hpp"
 
 namespace nicol {
 namespace {
@@ -58,9 +59,8 @@ bool PhotonRays::blocks(const VertexRange& range) {
 bool PhotonRays::occluded(const Ray& ray) const {
     if (unseen_ != nullptr && unseen_->occluded(ray)) return true;
     if (!some_pass_light_) return smooth_.occluded(ray);
-    // The end of the ray is left out as RayScene::occluded() leaves it out.
     Ray rest = ray;
-    rest.farthest = (1 - 1e-4) * ray.farthest - kRayOffset * largest_coordinate(ray.origin);
+    rest.farthest = before_light(ray.farthest, largest_coordinate(ray.origin));
     while (const std::optional<RayHit> hit = smooth_.intersect(rest)) {
         if (blocks(geometry_.ranges[range_of(geometry_, geometry_.triangles[hit->triangle].x)])) return true;
         rest.nearest = beyond(*hit);
@@ -76,9 +76,7 @@ std::optional<RayHit> PhotonRays::first(const Ray& ray) const {
 }
 
 double PhotonRays::beyond(const RayHit& hit) const {
-    const glm::uvec3& corners = geometry_.triangles[hit.triangle];
-    return nicol::beyond(hit, ray_offset({geometry_.positions[corners.x], geometry_.positions[corners.y],
-                                          geometry_.positions[corners.z]}));
+    return nicol::beyond(hit, offset_of_triangle(geometry_, hit.triangle));
 }
 
 }  // namespace nicol

@@ -32,22 +32,23 @@ PixelRays rays_through(const PixelInput& input) {
             .width = static_cast<std::size_t>(input.hits.width())};
 }
 
-// Adds the pixels first..last of an image that show surfaces without own light alone. points: of these
-// pixels.
-void add_brightness(const PixelInput& input, std::size_t first, std::size_t last,
-                    std::span<const PixelPoint> points, std::span<const std::span<glm::vec4>> image,
-                    SurfaceTally& tally) {
+// Adds the pixels of an image from `first` on, as many as coverage, the share of surfaces in each. points: of
+// these pixels.
+void add_pixels(const PixelInput& input, std::size_t first, std::span<const float> coverage,
+                std::span<const PixelPoint> points, std::span<const std::span<glm::vec4>> image,
+                SurfaceTally& tally) {
     thread_local std::vector<float> reflecting;  // share of each pixel
-    reflecting.assign(last - first, 0.0F);
+    reflecting.assign(coverage.size(), 0.0F);
     for (const PixelPoint& point : points)
         if (input.geometry.ranges[point.range].emission == nullptr)
             reflecting[point.pixel - first] += point.weight;
     constexpr float whole = 0.999F;
-    for (std::size_t pixel = first; pixel < last; ++pixel) {
-        if (reflecting[pixel - first] < whole) continue;
+    for (std::size_t i = 0; i < coverage.size(); ++i) {
+        tally.covered += static_cast<double>(coverage[i]) * static_cast<double>(image.size());
+        if (reflecting[i] < whole) continue;
         tally.whole += image.size();
         for (const std::span<glm::vec4> channel : image) {
-            const auto s0 = static_cast<double>(channel[pixel].x);
+            const auto s0 = static_cast<double>(channel[first + i].x);
             tally.power += s0 * s0;
         }
     }
@@ -88,11 +89,9 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
         for (const std::span<glm::vec4> channel : stokes) std::ranges::fill(channel, glm::vec4(0));
         surfaces_.add_lights(batch, stokes, counts);
     });
-    for (const float covered : coverage)
-        counts.surfaces.covered += static_cast<double>(covered) * static_cast<double>(out.size());
     add_background(input_, first, last, coverage, out);
     if (chains_ && points.followed) chains_->add(first, last, out, counts);
-    add_brightness(input_, first, last, points.whole, out, counts.surfaces);
+    add_pixels(input_, first, coverage, points.whole, out, counts.surfaces);
     return counts;
 }
 

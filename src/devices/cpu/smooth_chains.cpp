@@ -294,17 +294,14 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
         batch.take(input_, std::span<const RayPoint>(points).subspan(begin));
         const std::size_t count = batch.points().size();
         const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
-        PointCounts of_ends;
-        surfaces_.run(batch, stokes, of_ends);
+        // The image's values are its pixels.
+        const LightingTally of_pixels = counts.lighting;
+        surfaces_.run(batch, stokes, counts);
+        counts.lighting.values = of_pixels.values;
+        counts.lighting.power = of_pixels.power;
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < out.size(); ++c)
                 add_arriving(ends, ends.surfaces[begin + i].way, c, stokes[c][i], out);
-        counts.shaded += of_ends.shaded;
-        counts.light_seconds += of_ends.light_seconds;
-        // The image's values are its pixels.
-        of_ends.lighting.values = 0;
-        of_ends.lighting.power = 0;
-        counts.lighting += of_ends.lighting;
     }
 }
 

@@ -17,6 +17,7 @@
 #include "shading/boundary_split.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/rough_boundary.hpp"
+#include "surfaces/triangle_offset.hpp"
 
 namespace nicol {
 namespace {
@@ -145,11 +146,9 @@ void SmoothChains::pass(std::span<const Meeting> meetings, std::vector<Chain>& r
         next[count++] = {lane, reflects, probability, matrices};
         const glm::dvec3 towards_light = glm::normalize(glm::dvec3(vector_at(part.towards_light, lane)));
         const glm::dvec3 facet(vector_at(split.facets, lane)), x(vector_at(split.s_axes, lane));
-        const Corners& corners = geometry.triangles[meeting.hit.triangle];
         Chain onward = after_event(chain, matrices, reflects ? 1 : 0);
         onward.ray = leaving(vector_at(split.positions, lane), facet, towards_light,
-                             ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
-                                         geometry.positions[corners.z]}));
+                             offset_of_triangle(geometry, meeting.hit.triangle));
         for (std::size_t k = 0; k < 2; ++k) {
             onward.spread.places[k] = vector_at(split.places[k], lane);
             onward.spread.directions[k] = vector_at(part.changes[k], lane);
