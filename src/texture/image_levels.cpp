@@ -55,6 +55,25 @@ std::vector<float> halved(const std::vector<float>& values, std::size_t outer, i
     return out;
 }
 
+/// Returns the transpose of halved() of [outer][half of size][inner].
+std::vector<double> doubled(const std::vector<double>& values, std::size_t outer, int size,
+                            std::size_t inner) {
+    const std::vector<Taps> taps = halving_taps(size);
+    const std::size_t line = static_cast<std::size_t>(size) * inner;
+    std::vector<double> out(outer * line);
+    const double* from = values.data();
+    for (std::size_t o = 0; o < outer; ++o)
+        for (const Taps& of_texel : taps) {
+            double* to = out.data() + o * line + static_cast<std::size_t>(of_texel.first) * inner;
+            for (std::size_t k = 0; k < of_texel.weights.size(); ++k, to += inner) {
+                const auto weight = double{of_texel.weights[k]};
+                for (std::size_t i = 0; weight > 0 && i < inner; ++i) to[i] += weight * from[i];
+            }
+            from += inner;
+        }
+    return out;
+}
+
 /// Halves both sides of an image of even sides, in one pass. Rounds as two calls of halved() do.
 template <std::size_t channels>
 std::vector<float> quartered(const TextureImage& image) {
@@ -101,6 +120,21 @@ std::vector<TextureImage> image_levels(TextureImage image) {
     levels.push_back(std::move(image));
     while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(next_level(levels.back()));
     return levels;
+}
+
+std::vector<double> gradient_by_image(std::vector<std::vector<double>> levels, int width, int height) {
+    const auto side = [](int size, std::size_t level) { return std::max(1, size >> level); };
+    for (std::size_t level = levels.size() - 1; level > 0; --level) {
+        const int columns = side(width, level - 1), rows = side(height, level - 1);
+        const auto halved_columns = static_cast<std::size_t>(side(width, level));
+        std::vector<double>& finer = levels[level - 1];
+        const std::size_t channels =
+            finer.size() / static_cast<std::size_t>(columns) / static_cast<std::size_t>(rows);
+        const std::vector<double> wider = doubled(doubled(levels[level], 1, rows, halved_columns * channels),
+                                                  static_cast<std::size_t>(rows), columns, channels);
+        for (std::size_t i = 0; i < finer.size(); ++i) finer[i] += wider[i];
+    }
+    return std::move(levels.front());
 }
 
 }  // namespace nicol
