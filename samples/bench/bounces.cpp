@@ -177,7 +177,12 @@ Report bench_bounces(const Options& given) {
         const Costs direct_costs = measure(0, direct);
         add("by default", direct, no_errors, direct_costs, no_costs);
         const Costs all_costs = measure(kAllLight, all);
-        add("with bounces", all, bounces ? indirect.errors(difference(all, direct)) : no_errors, all_costs,
+        // Threads shade bounced light at pixels, where direct light has no errors of interpolation either.
+        real_time.max_depth = 0;
+        real_time.shade_at = NICOL_SHADE_AT_PIXELS;
+        stage.render(real_time, framebuffer.get());
+        const Image without = read_image(framebuffer.get());
+        add("with bounces", all, bounces ? indirect.errors(difference(all, without)) : no_errors, all_costs,
             direct_costs);
     }
     report.note(

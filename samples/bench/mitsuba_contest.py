@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Time at equal error: how long Mitsuba 3 takes for an image as close to the truth as Nicol's.
 
-usage: mitsuba_contest.py [SCENE...] [--size N] [--samples N] [--truth N] [--verify SECONDS], each scene the first word of one's name below.
+usage: mitsuba_contest.py [SCENE...] [--size N] [--samples N] [--truth N] [--max-depth N] [--verify SECONDS], each scene the first word of one's name below.
 NICOL_TEST_DATA, with the folders polarsh and mitsuba, adds the statue."""
 
 import argparse
@@ -26,7 +26,7 @@ DATA = pathlib.Path(os.environ.get("NICOL_TEST_DATA", "nowhere"))
 
 SCENE = """<scene version="3.0.0">
   <path value="{folder}"/><path value="{assets}"/><path value="{data}/polarsh"/>
-  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="2"/></integrator></integrator>
+  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="{max_depth}"/></integrator></integrator>
   <sensor type="perspective"><float name="fov" value="42"/>
     <transform name="to_world"><lookat {camera} up="0,1,0"/></transform>
     <film type="hdrfilm"><integer name="width" value="{size}"/><integer name="height" value="{size}"/><rfilter type="box"/></film>
@@ -118,8 +118,8 @@ class Show:
     FRAMES = 8
 
     def __init__(self, context, scene_file, options):
-        self.options = options
         self.scene = nicol.Scene.load(context, str(scene_file))
+        self.options = {"max_depth": self.scene.get_max_depth(), **options}
         self.camera = self.scene.get_camera()
         self.framebuffer = nicol.Framebuffer.create(context, *self.scene.get_film_size(), self.scene.get_channels())
         self.has_point = self.scene.get_light_count() > 0
@@ -174,13 +174,13 @@ def cold_times(scene_file, options):
     return numpy.min([[float(word) for word in run.split()] for run in runs], axis=0)
 
 
-def write_scene(folder, name, size):
+def write_scene(folder, name, size, max_depth):
     """Writes one of SCENES, lit by luminance, into the folder and returns its path."""
     camera, contents, _ = SCENES[name]
     for environment in filter(pathlib.Path.exists, ENVIRONMENTS):
         peer.write_luminance(environment, pathlib.Path(folder, environment.name))
     scene_file = pathlib.Path(folder, "scene.xml")
-    scene_file.write_text(SCENE.format(folder=folder, assets=ASSETS, data=DATA, camera=camera, size=size, contents=contents))
+    scene_file.write_text(SCENE.format(folder=folder, assets=ASSETS, data=DATA, camera=camera, size=size, max_depth=max_depth, contents=contents))
     return scene_file
 
 
@@ -228,6 +228,7 @@ def main():
     parser.add_argument("--size", type=int, default=512, help="images of N x N")
     parser.add_argument("--samples", type=int, default=64, help="a pixel, of each of Mitsuba's images")
     parser.add_argument("--truth", type=int, default=16, help="images that make up each of the two that errors are taken against")
+    parser.add_argument("--max-depth", type=int, default=2, help="2 is direct light alone")
     parser.add_argument("--verify", type=float, default=120, help="renders the image of equal error where Mitsuba needs less than these seconds")
     parser.add_argument("--cold", nargs=2, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
@@ -236,7 +237,7 @@ def main():
         print(*timed(lambda: first_image(scene_file, json.loads(options)))[1])
         return
     print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}; Nicol {nicol.version_string()}; {len(os.sched_getaffinity(0))} cores. "
-          "Direct light of one channel; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
+          f"Light of one channel to depth {arguments.max_depth}; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
         for name, (_, _, options) in SCENES.items():
             if name.split()[0] not in arguments.scenes:
@@ -244,7 +245,7 @@ def main():
             if "statue" in name and not (DATA / "polarsh").is_dir():
                 print(f"\n{name}: left out, NICOL_TEST_DATA has no folder polarsh")
                 continue
-            contest(name, write_scene(folder, name, arguments.size), options, arguments)
+            contest(name, write_scene(folder, name, arguments.size, arguments.max_depth), options, arguments)
 
 
 if __name__ == "__main__":
