@@ -21,6 +21,7 @@ public:
 
 private:
     nicol_gradient room_;
+    TexturePtr texture_;
 };
 
 }  // namespace nicol::capi

@@ -2213,9 +2213,17 @@ typedef struct nicol_gradient {
      * material is the sum over its instances, divided by the reflectance. */
     double* instances;
     uint64_t instances_count; /* number of doubles at instances: instances * channels */
+    /* Derivatives of f by the linear values of the texels of `texture`, [row][column][channel of the
+     * texture], its look-ups and their means over pixels included. Materials reflect in proportion to the
+     * texture, as by the colour of a diffuse material or by the weight of a blend; what they interpolate by
+     * its values, such as a roughness, is refused, and a tint of a principled material made from it counts as
+     * constant. */
+    nicol_texture texture; /* image whose texels are not all equal; NULL: texels must be NULL, too */
+    double* texels;
+    uint64_t texels_count; /* number of doubles at texels: rows * columns * channels of the texture */
 } nicol_gradient;
 #define NICOL_GRADIENT_INIT \
-    { sizeof(nicol_gradient), 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_gradient), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_gradient_init(nicol_gradient* descriptor, uint32_t struct_size);
 
 /* clang-format off */
@@ -2232,7 +2240,7 @@ NICOL_API nicol_result nicol_gradient_init(nicol_gradient* descriptor, uint32_t 
  *                 0 and bsdf_samples 0 if the image would otherwise have extracted lights or samples of the environment.
  *   Scene         No mirrors, no smooth glass, and with a max_depth above 2 no narrow metal; no polarization elements. The
  *                 gradient by the environment needs hidden emitters, that by instances no emissive surfaces, and those by
- *                 lights and by instances no local light of the value 0.
+ *                 lights, by instances and by texels no local light of the value 0.
  * Returns NICOL_ERROR_UNSUPPORTED for other options and scenes, with a message that says what to change.
  * Returns NICOL_ERROR_INVALID_ARGUMENT for sizes that do not fit, for numbers that are not finite, for a local light of the
  * value 0, and if the gradient by the environment is wanted without an environment; else the results of nicol_render. A call

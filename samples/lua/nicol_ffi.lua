@@ -545,6 +545,9 @@ typedef struct nicol_gradient {
     uint64_t lights_count;
     double* instances;
     uint64_t instances_count;
+    nicol_texture texture;
+    double* texels;
+    uint64_t texels_count;
 } nicol_gradient;
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 typedef int32_t (*nicol_is_current_callback)(void* user);

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Recovers the colours of a floor's tiles from one picture under known light by least squares. usage: recover_albedo.py
-[--tiles N] [--size WxH] [--noise SHARE] [--steps COUNT]
+"""Recovers the texture of a floor from one picture under known light by least squares. usage: recover_albedo.py
+[--texels N] [--size WxH] [--noise SHARE] [--steps COUNT]
 
-Direct light is linear in the reflectance of diffuse surfaces: each tile is an instance whose gradient, divided by the
-reflectance, is the derivative by it. A ball casts its shadow over some tiles and hides others."""
+Direct light is linear in the reflectance of diffuse surfaces, so the gradient by the texels of a texture and pictures of other
+textures are all that conjugate gradients need. A ball casts its shadow over some texels and hides others."""
 
 import argparse
 
@@ -11,30 +11,27 @@ import nicol
 import numpy
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("--tiles", type=int, default=6, help="along each side")
+parser.add_argument("--texels", type=int, default=8, help="along each side")
 parser.add_argument("--size", default="96x72")
 parser.add_argument("--noise", type=float, default=0, help="of the picture, relative to its RMS")
-parser.add_argument("--steps", type=int, default=40)
+parser.add_argument("--steps", type=int, default=100)
 arguments = parser.parse_args()
 width, height = map(int, arguments.size.split("x"))
 CHANNELS = 3
 
 
 class Floor:
-    """Pictures of a floor as a function of its tiles' reflectances, (tiles, channels)."""
+    """Pictures of a floor as a function of its texture's reflectances, (rows, columns, channels)."""
 
-    def __init__(self, context, tiles):
+    def __init__(self, context):
         self.context = context
         self.scene = nicol.Scene.create(context)
-        mesh, half = nicol.Mesh.create_rectangle(context), 2 / tiles
+        self.white = nicol.Material.create_diffuse(context, [1] * CHANNELS)
         black = nicol.Material.create_diffuse(context, [0] * CHANNELS)
-        places = [(2 * i - tiles + 1) * half for i in range(tiles)]
-        self.ids = [
-            self.scene.add_instance(nicol.Instance(
-                mesh=mesh, material=black, to_world=[half, 0, 0, x, 0, 0, half, -0.5, 0, -half, 0, z, 0, 0, 0, 1]
-            ))
-            for z in places for x in places
-        ]  # fmt: skip
+        self.floor = self.scene.add_instance(nicol.Instance(
+            mesh=nicol.Mesh.create_rectangle(context), material=black,
+            to_world=[2, 0, 0, 0, 0, 0, 2, -0.5, 0, -2, 0, 0, 0, 0, 0, 1],
+        ))  # fmt: skip
         ball = nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=black)
         ball.to_world = [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]
         self.scene.add_instance(ball)
@@ -50,17 +47,19 @@ class Floor:
         self.framebuffer = nicol.Framebuffer.create(context, width, height, CHANNELS)
 
     def set_colors(self, colors):
-        for instance, color in zip(self.ids, colors):
-            self.scene.set_material(instance, nicol.Material.create_diffuse(self.context, list(color)))
+        self.shape = colors.shape
+        self.texture = nicol.Texture.create_image(self.context, nicol.texture_image(colors.astype("f4")))
+        self.scene.set_material(self.floor, nicol.Material.create_scaled(self.context, self.white, self.texture))
 
     def picture(self):
         nicol.render(self.scene, self.camera, self.options, self.framebuffer)
         return self.framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS).astype(float)
 
     def gradient(self, picture):
-        """Returns the gradient by factors of what the tiles reflect, (tiles, channels)."""
-        found = nicol.gradients(self.scene, self.camera, self.options, picture, wanted=["instances"]).instances
-        return found[: len(self.ids)]
+        """Returns the gradient by the reflectances."""
+        return nicol.gradients(
+            self.scene, self.camera, self.options, picture, wanted=(), texture=self.texture, shape=self.shape
+        ).texels
 
 
 def least_squares(floor, picture, start, steps):
@@ -78,26 +77,31 @@ def least_squares(floor, picture, start, steps):
         return (pictures[0] - pictures[1]) / (2 * length)
 
     colors, rest = start, picture - floor.picture()
-    gradient = floor.gradient(rest) / start
+    gradient = floor.gradient(rest)
     way, size = gradient, (gradient**2).sum()
     for _ in range(steps):
         change = change_by(way)
         step = size / (change**2).sum()
         colors, rest = colors + step * way, rest - step * change
-        gradient = floor.gradient(rest) / start
+        gradient = floor.gradient(rest)
         former, size = size, (gradient**2).sum()
         way = gradient + size / former * way
     return colors
 
 
 with nicol.Context.create() as context:
-    floor = Floor(context, arguments.tiles)
-    truth = numpy.random.default_rng(3).uniform(0.1, 0.9, size=(len(floor.ids), CHANNELS))
+    floor = Floor(context)
+    random = numpy.random.default_rng(3)
+    truth = random.uniform(0.1, 0.9, size=(arguments.texels, arguments.texels, CHANNELS))
     floor.set_colors(truth)
     picture = floor.picture()
     noise = numpy.random.default_rng(4).normal(size=picture.shape)
     picture += arguments.noise * numpy.sqrt((picture**2).mean()) * noise
-    seen = floor.gradient(numpy.ones_like(picture)).min(axis=1) > 0
-    colors = least_squares(floor, picture, numpy.full_like(truth, 0.5), arguments.steps)
+    seen = floor.gradient(numpy.ones_like(picture)).min(axis=2)
+    seen = seen > 0.1 * numpy.median(seen)
+    # Materials take equal texels as a number, of which there is no gradient.
+    start = numpy.full_like(truth, 0.5)
+    start[0, 0] = 0.501
+    colors = least_squares(floor, picture, start, arguments.steps)
 errors = numpy.abs(colors - truth)[seen]
-print(f"error of the reflectances of {seen.sum()} tiles that are seen: {errors.max():.2e} at most, {numpy.sqrt((errors**2).mean()):.2e} RMS")
+print(f"error of the reflectances of {seen.sum()} texels that are seen: {errors.max():.2e} at most, {numpy.sqrt((errors**2).mean()):.2e} RMS")

@@ -144,12 +144,14 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mir
                           std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
     weights_.resize(surfaces.size() * layers);
+    points_.resize(surfaces.size());
     Block block(variation, back, view);
     for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
         block.set(own, view.views.subspan(b * kLanes, own.size()), surfaces[b]);
         const std::span weights = std::span(weights_).subspan(b * layers, layers);
         variation.weights(block.points, weights);
+        points_[b] = block.points;
         for (std::size_t i = 0; i < kLanes && variation.rotation.any(); ++i)
             surfaces[b].tangents[i] = block.tangent(variation.rotation, i);
         if (variation.normal.kind == NormalVariation::Kind::none) continue;

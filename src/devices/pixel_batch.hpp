@@ -115,9 +115,12 @@ public:
 
     /// Returns the weights: [block of sixteen][layer].
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }
+    /// Returns the points of the textures: [block of sixteen].
+    [[nodiscard]] std::span<const TexturePoints> points() const { return points_; }
 
 private:
     std::vector<LayerWeights> weights_;
+    std::vector<TexturePoints> points_;
 };
 
 /// Points of one group, with their positions and textures. Holds results, so each thread needs its own
@@ -150,6 +153,10 @@ public:
     }
     /// Returns the weights of a textured material's layers, [sixteen points][layer]; empty: no textures.
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }
+    /// Sets other weights of a textured material's layers, which must last until the next take().
+    void weigh(std::span<const LayerWeights> weights) { weights_ = weights; }
+    /// Returns the points of a textured material's textures, [sixteen points].
+    [[nodiscard]] std::span<const TexturePoints> texture_points() const { return textures_.points(); }
 
     /// Adds to out[c][pixel - first] the stokes[c][point] of in_pixels() times their weights, for the first
     /// `components` Stokes components.

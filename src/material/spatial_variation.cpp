@@ -137,6 +137,16 @@ glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture) {
     return glm::vec3(hat(factor, texture.x));
 }
 
+glm::vec3 factor_slope(const LayerFactor& factor, const glm::vec4& texture) {
+    if (factor.kind == LayerFactor::Kind::value) return glm::vec3(1);
+    if (factor.kind == LayerFactor::Kind::again) {
+        const glm::vec3 left = 1.0F - factor.middle * glm::vec3(texture);
+        return (1 - factor.middle) / (left * left);
+    }
+    const bool clamped = texture.x < 0 || texture.x > 1;
+    return glm::vec3(clamped ? 0.0F : factor.kind == LayerFactor::Kind::fraction ? 1.0F : -1.0F);
+}
+
 bool SpatialVariation::needs_texcoords() const {
     return normal.kind != NormalVariation::Kind::none ||
            any_texture(*this, [](const Texture& texture) { return texture.needs_texcoords(); });

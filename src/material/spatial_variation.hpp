@@ -37,6 +37,9 @@ struct LayerFactor {
 
 /// Returns the factor of red, green and blue, or three equal ones, for the value of its texture.
 [[nodiscard]] glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture);
+/// Returns the derivative of factor_value(), by the same colour of the texture if the factor is colored(),
+/// else by the first channel. The factor must not be a hat.
+[[nodiscard]] glm::vec3 factor_slope(const LayerFactor& factor, const glm::vec4& texture);
 
 /// Material that is the same everywhere, times a constant and the product of the factors.
 struct MaterialLayer {

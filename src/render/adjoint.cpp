@@ -8,6 +8,7 @@
 #include "devices/adjoint/adjoint_executor.hpp"
 #include "draw/sample_pattern.hpp"
 #include "material/reflectance.hpp"
+#include "material/spatial_variation.hpp"
 #include "render/check_options.hpp"
 #include "render/renderer.hpp"
 #include "surfaces/rigid_motion.hpp"
@@ -37,6 +38,51 @@ void check_linear(const RenderOptions& options) {
         refuse_unsupported("needs the final picture; set bake_budget_ms and time_budget_ms to 0");
 }
 
+[[noreturn]] void refuse_texture(const std::string& message) {
+    refuse_unsupported("by texels " + message);
+}
+
+bool in_product(const Texture& texture, const TexturePtr& wanted) {
+    const TextureDescription of = texture.describe();
+    return of.kind == TextureDescription::Kind::product &&
+           std::ranges::any_of(of.factors, [&](const TexturePtr& factor) {
+               return factor == wanted || in_product(*factor, wanted);
+           });
+}
+
+// Throws if what the scene's materials reflect is not a differentiable function of the texture.
+void check_texture(const Scene& scene, const TexturePtr& wanted) {
+    const TextureDescription::Kind kind = wanted->describe().kind;
+    if (kind == TextureDescription::Kind::constant)
+        refuse_texture(
+            "needs texels that differ: materials take a texture of equal texels as a number; change one of "
+            "them a little");
+    if (kind != TextureDescription::Kind::image) refuse_texture("needs the texture of an image");
+    bool used = false;
+    for (const Instance& instance : scene.instances()) {
+        if (instance.emission != nullptr && instance.emission->texture == wanted)
+            refuse_texture("has no texture that surfaces emit; give the emission one of its own");
+        const SpatialVariation* const variation = instance.material->variation();
+        if (variation == nullptr) continue;
+        if (variation->opacity == wanted || variation->normal.texture == wanted ||
+            variation->rotation.directions == wanted)
+            refuse_texture("has no texture of an opacity, of normals or of directions; copy it for those");
+        for (const MaterialLayer& layer : variation->layers)
+            for (const LayerFactor& factor : layer.factors) {
+                const TexturePtr& texture = variation->textures[factor.texture];
+                if (in_product(*texture, wanted))
+                    refuse_texture("has no texture that another one multiplies; multiply their images");
+                if (texture != wanted) continue;
+                if (factor.kind == LayerFactor::Kind::hat)
+                    refuse_texture(
+                        "has no texture of a roughness or another number between which materials "
+                        "are interpolated; copy it for the colours");
+                used = true;
+            }
+    }
+    if (!used) refuse("gradients by a texture are wanted that no instance's material reflects by");
+}
+
 void check_scene(const Scene& scene, const RenderOptions& options, const WantedGradients& wanted) {
     if (!scene.elements().empty())
         refuse_unsupported(
@@ -47,9 +93,11 @@ void check_scene(const Scene& scene, const RenderOptions& options, const WantedG
             "the gradient by the environment is wanted, but the scene has no environment that gives light");
     if (wanted.environment && scene.background() != nullptr)
         refuse_unsupported("has no background; hide the emitters (nicol_scene_hide_emitters)");
-    if (!wanted.lights && !wanted.instances) return;
+    if (wanted.texture != nullptr) check_texture(scene, wanted.texture);
+    if (!wanted.lights && !wanted.instances && wanted.texture == nullptr) return;
     if (options.max_depth > kDirectLightDepth)
-        refuse_unsupported("by lights and by instances has no light that bounces; set max_depth to 2");
+        refuse_unsupported(
+            "by lights, by instances and by texels has no light that bounces; set max_depth to 2");
     for (std::size_t k = 0; k < scene.lights().size(); ++k)
         if (std::ranges::all_of(scene.lights()[k].value, [](double value) { return value == 0; }))
             refuse("light " + std::to_string(scene.light_ids()[k]) +
@@ -125,12 +173,13 @@ Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const Rend
         std::vector<AdjointLight> lights;
         if (wanted.lights || wanted.instances)
             lights = adjoint_lights(scene, inverse_motion(pipeline_.surfaces().to_world()));
-        AdjointExecutor executor(picture, std::move(lights));
+        AdjointExecutor executor(picture, std::move(lights), wanted.texture);
         pipeline_.run(scene, projection, options, executor, run, hits, false);
         const LightGradients& gradients = executor.gradients();
         if (wanted.environment)
             out.environment = by_environment(gradients.distant, scene.light_scale(), options.dering);
         if (wanted.lights) out.lights = gradients.lights;
+        if (wanted.texture != nullptr) out.texels = gradients.texels;
         if (wanted.instances)
             out.instances = of_instances(scene, pipeline_.surfaces().geometry().ranges, gradients.reflection,
                                          picture.channels);

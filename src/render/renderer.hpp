@@ -20,6 +20,7 @@
 #include "render/pipeline.hpp"
 #include "render/time_budget.hpp"
 #include "stage/options.hpp"
+#include "texture/texture.hpp"
 #include "worker_pool.hpp"
 
 namespace nicol {
@@ -35,6 +36,7 @@ struct WantedGradients {
     bool environment = false;
     bool lights = false;
     bool instances = false;
+    TexturePtr texture = nullptr;  ///< texture of whose texels the gradient is wanted; null: of none
 };
 
 /// Gradients of a function of a picture.
@@ -45,6 +47,8 @@ struct Gradients {
     std::vector<double> lights;
     /// By a factor of what each instance reflects, [instance][channel].
     std::vector<double> instances;
+    /// By the texels of a texture, [row][column][channel].
+    std::vector<double> texels;
 };
 
 class Renderer {

@@ -30,7 +30,8 @@ class GradientsTest(unittest.TestCase):
     def setUpClass(cls):
         context = nicol.default_context()
         cls.scene = nicol.Scene.create(context)
-        material = nicol.Material.create_diffuse(context, [0.5, 0.4, 0.3])
+        cls.texture = nicol.Texture.create_image(context, nicol.texture_image(numpy.linspace(0, 1, 6, dtype="f4").reshape(2, 3)))
+        material = nicol.Material.create_scaled(context, nicol.Material.create_diffuse(context, [0.5, 0.4, 0.3]), cls.texture)
         cls.scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_cube(context), material=material))
         cls.scene.add_light(nicol.Light(value=2))
         cls.scene.set_environment(nicol.Environment.create_constant(context, 1), None, 1)
@@ -44,11 +45,14 @@ class GradientsTest(unittest.TestCase):
         return nicol.gradients(self.scene, **arguments)
 
     def test_shapes(self):
-        found = self.found(wanted=("environment", "lights", "instances"))
+        found = self.found(wanted=("environment", "lights", "instances"), texture=self.texture, shape=(2, 3, 1))
         self.assertEqual(found.environment.shape, (3, (ORDER + 1) ** 2, 4))
         self.assertEqual(found.lights.shape, (1, 3, 4))
         self.assertEqual(found.instances.shape, (1, 3))
         self.assertGreater(found.environment[0, 0, 0], 0)
+        # What a factor of the whole instance changes, all texels change together.
+        values = numpy.linspace(0, 1, 6).reshape(2, 3, 1)
+        self.assertAlmostEqual((values * found.texels).sum(), found.instances.sum(), delta=1e-4 * found.instances.sum())
         self.assertIsNone(self.found().lights)
 
     def test_refusals(self):
@@ -64,12 +68,18 @@ class GradientsTest(unittest.TestCase):
         picture = numpy.ascontiguousarray(self.picture, numpy.float32)
         picture = nicol.StokesImage(width=SIZE, height=SIZE, channels=3, pixels=picture, byte_size=picture.nbytes)
         room = numpy.zeros(5)
-        for name in ("environment", "lights", "instances"):
+        for name in ("environment", "lights", "instances", "texels"):
             gradient = nicol.Gradient(**{name: room, f"{name}_count": room.size})
+            if name == "texels":
+                gradient.texture = self.texture
             with self.assertRaisesRegex(nicol.Error, f"{name}_count is 5"):
                 nicol.render_adjoint(self.scene, self.camera, self.options, picture, gradient)
         with self.assertRaisesRegex(nicol.Error, "no room"):
             nicol.render_adjoint(self.scene, self.camera, self.options, picture, nicol.Gradient())
+        with self.assertRaisesRegex(nicol.Error, "both or neither"):
+            nicol.render_adjoint(self.scene, self.camera, self.options, picture, nicol.Gradient(texture=self.texture))
+        with self.assertRaisesRegex(ValueError, "shape"):
+            self.found(texture=self.texture)
         self.assertEqual(abs(room).max(), 0)
 
     def test_light_is_recovered(self):
@@ -77,7 +87,7 @@ class GradientsTest(unittest.TestCase):
         self.assertLess(max(s0, linear, circular), 0.02)
 
     def test_reflectances_are_recovered(self):
-        largest, rms = errors_of(ALBEDO, "--tiles", "4", "--size", "48x36", "--steps", "30")
+        largest, rms = errors_of(ALBEDO, "--texels", "6", "--size", "48x36", "--steps", "60")
         self.assertLess(largest, 1e-3)
         self.assertLessEqual(rms, largest)
 

@@ -5,6 +5,7 @@
 
 #include "gl/contexts.hpp"
 #include "material/chiral_material.hpp"
+#include "material/plastic.hpp"
 #include "render/scenes.hpp"
 #include "render/textured.hpp"
 
@@ -176,6 +177,118 @@ GL_TEST_CASE("the gradient by an instance is the derivative by the reflectance o
         (product(above.data, gradient.data) - product(below.data, gradient.data)) / (2 * step);
     const double of_floor = std::accumulate(found.instances.begin() + 3, found.instances.end(), 0.0);
     CHECK(of_floor / reflectance == doctest::Approx(difference).epsilon(1e-4));
+}
+
+GL_TEST_CASE("the gradient by texels is the derivative by a texture") {
+    using Filter = TextureSampling::Filter;
+    struct Textured {
+        const char* name;
+        MaterialPtr (*make)(const TexturePtr& texture);
+        int channels = 3;
+        Filter filter = Filter::mipmap;
+    };
+    const std::vector<Textured> all{
+        {"diffuse", [](const TexturePtr& t) { return diffuse(t); }},
+        {"grey, nearest", [](const TexturePtr& t) { return diffuse(t); }, 1, Filter::nearest},
+        {"plastic, whose coat reflects inside again",
+         [](const TexturePtr& t) {
+             return plastic({.diffuse_reflectance = t, .alpha = 0.3, .nonlinear = true});
+         }},
+        {"weight of a blend",
+         [](const TexturePtr& t) {
+             return blend(diffuse({0.7, 0.2, 0.1}), test::some_metal(0.4), t);
+         },
+         1, Filter::bilinear},
+        {"product with another texture, on a perturbed surface",
+         [](const TexturePtr& t) {
+             return normal_mapped(
+                 scaled(diffuse(t),
+                        image_texture({.width = 2, .height = 1, .channels = 1, .values = {0.4F, 0.9F}})),
+                 test::texture_of(
+                     [](const TexturePoint& p) { return glm::vec4(0.5F + 0.2F * p.uv.x, 0.5F, 0.9F, 1); }));
+         }},
+    };
+    // Texels of 0.3 to 0.7, and of the same picture a little changed.
+    constexpr int side = 6;
+    const auto image_of = [](int channels, float change) {
+        std::mt19937 generator(5);
+        TextureImage image{.width = side, .height = side, .channels = channels, .values = {}};
+        for (int i = 0; i < side * side * channels; ++i) {
+            const auto value = static_cast<float>(0.5 + 0.2 * random(generator));
+            image.values.push_back(value + change * static_cast<float>(random(generator)));
+        }
+        return image;
+    };
+    for (const Textured& of : all)
+        for (const bool shadows : {true, false}) {
+            CAPTURE(of.name);
+            CAPTURE(shadows);
+            RenderOptions chosen = options();
+            chosen.shadows = shadows;
+            Studio studio(context);
+            constexpr float step = 0.01F;
+            const auto value_of = [&](float change, Gradients* found) {
+                const TexturePtr texture =
+                    image_texture(image_of(of.channels, change), {.filter = of.filter});
+                Scene scene = still(test::some_metal(0.3), random_light(kOrder, 3, 1));
+                add_lights(scene);
+                scene.set_material(1, of.make(texture));
+                const StokesImage picture = studio(scene, chosen);
+                const StokesImage gradient = random_picture(picture.width, picture.height, 3);
+                if (found != nullptr)
+                    *found = studio.renderer.adjoint(scene, test::some_camera(), chosen, gradient,
+                                                     {.instances = true, .texture = texture});
+                return product(picture.data, gradient.data);
+            };
+            Gradients found;
+            value_of(0, &found);
+            const std::vector<float> from = image_of(of.channels, 0).values;
+            std::vector<float> change = image_of(of.channels, 1).values;
+            REQUIRE(found.texels.size() == from.size());
+            for (std::size_t i = 0; i < from.size(); ++i) change[i] -= from[i];
+            const double difference =
+                (value_of(step, nullptr) - value_of(-step, nullptr)) / (2 * double{step});
+            CHECK(product(found.texels, change) == doctest::Approx(difference).epsilon(1e-4));
+        }
+}
+
+GL_TEST_CASE("the adjoint refuses textures that it has no gradient of") {
+    const auto image = [](float other) {
+        return image_texture({.width = 2, .height = 1, .channels = 1, .values = {0.5F, other}});
+    };
+    const TexturePtr wanted = image(0.6F);
+    struct Refusal {
+        const char* word;
+        MaterialPtr floor;
+        TexturePtr texture;
+        ErrorCode code = ErrorCode::unsupported;
+    };
+    const MaterialPtr white = diffuse({0.5});
+    for (const Refusal& refusal :
+         std::vector<Refusal>{{"equal texels", white, image(0.5F)},
+                              {"texture of an image", white, mesh_color_texture(ColorsOf::vertices)},
+                              {"opacity", masked(scaled(white, wanted), wanted), wanted},
+                              {"normals", bump_mapped(scaled(white, wanted), wanted, 1), wanted},
+                              {"multiplies", scaled(white, product_texture(wanted, image(0.7F))), wanted},
+                              {"roughness", rough_conductor({.eta = {{0.2, -3.0}}, .alpha = wanted}), wanted},
+                              {"no instance", white, wanted, ErrorCode::invalid_argument}}) {
+        CAPTURE(refusal.word);
+        Studio studio(context);
+        Scene scene = still(test::some_metal(0.3), random_light(kOrder, 3, 1));
+        scene.set_material(1, refusal.floor);
+        check_error(refusal.code,
+                    CALL(studio.renderer.adjoint(scene, test::some_camera(), options(), StokesImage(8, 8, 3),
+                                                 {.texture = refusal.texture})),
+                    refusal.word);
+    }
+    Scene scene = still(test::some_metal(0.3), random_light(kOrder, 3, 1));
+    scene.set_material(1, scaled(white, wanted));
+    scene.set_emission(0, std::make_shared<const Emission>(Emission{.radiance = {1}, .texture = wanted}));
+    Studio studio(context);
+    check_error(ErrorCode::unsupported,
+                CALL(studio.renderer.adjoint(scene, test::some_camera(), options(), StokesImage(8, 8, 3),
+                                             {.texture = wanted})),
+                "emit");
 }
 
 GL_TEST_CASE("the adjoint refuses what it does not transpose") {

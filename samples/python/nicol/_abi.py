@@ -1949,7 +1949,9 @@ class Gradient(Struct):
     instances: Derivatives of f by a factor of all that an instance reflects, at the factor 1: [instance][channel],
         instances in the order of nicol_scene_get_instance_ids. The derivative by the reflectance of a diffuse
         material is the sum over its instances, divided by the reflectance.
-    instances_count: number of doubles at instances: instances * channels"""
+    instances_count: number of doubles at instances: instances * channels
+    texture: image whose texels are not all equal; NULL: texels must be NULL, too
+    texels_count: number of doubles at texels: rows * columns * channels of the texture"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1959,6 +1961,9 @@ class Gradient(Struct):
         ("lights_count", c_uint64),
         ("instances", POINTER(c_double)),
         ("instances_count", c_uint64),
+        ("texture", c_void_p),
+        ("texels", POINTER(c_double)),
+        ("texels_count", c_uint64),
     ]
     environment: Any
     environment_count: int
@@ -1966,6 +1971,9 @@ class Gradient(Struct):
     lights_count: int
     instances: Any
     instances_count: int
+    texture: Texture
+    texels: Any
+    texels_count: int
 
 
 class Host(Struct):
@@ -3258,7 +3266,7 @@ def render_adjoint(scene: Scene, camera: Camera, options: RenderOptions | None, 
                     0 and bsdf_samples 0 if the image would otherwise have extracted lights or samples of the environment.
       Scene         No mirrors, no smooth glass, and with a max_depth above 2 no narrow metal; no polarization elements. The
                     gradient by the environment needs hidden emitters, that by instances no emissive surfaces, and those by
-                    lights and by instances no local light of the value 0.
+                    lights, by instances and by texels no local light of the value 0.
     Returns NICOL_ERROR_UNSUPPORTED for other options and scenes, with a message that says what to change.
     Returns NICOL_ERROR_INVALID_ARGUMENT for sizes that do not fit, for numbers that are not finite, for a local light of the
     value 0, and if the gradient by the environment is wanted without an environment; else the results of nicol_render. A call

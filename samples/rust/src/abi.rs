@@ -1610,10 +1610,13 @@ pub struct nicol_gradient {
     pub lights_count: u64,
     pub instances: *mut f64,
     pub instances_count: u64,
+    pub texture: nicol_texture,
+    pub texels: *mut f64,
+    pub texels_count: u64,
 }
 defaults!(nicol_gradient, nicol_gradient_init);
 const _: () = {
-    assert!(size_of::<nicol_gradient>() == 56);
+    assert!(size_of::<nicol_gradient>() == 80);
     assert!(offset_of!(nicol_gradient, struct_size) == 0);
     assert!(offset_of!(nicol_gradient, reserved) == 4);
     assert!(offset_of!(nicol_gradient, environment) == 8);
@@ -1622,6 +1625,9 @@ const _: () = {
     assert!(offset_of!(nicol_gradient, lights_count) == 32);
     assert!(offset_of!(nicol_gradient, instances) == 40);
     assert!(offset_of!(nicol_gradient, instances_count) == 48);
+    assert!(offset_of!(nicol_gradient, texture) == 56);
+    assert!(offset_of!(nicol_gradient, texels) == 64);
+    assert!(offset_of!(nicol_gradient, texels_count) == 72);
 };
 
 /// Returns the address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and
@@ -2398,7 +2404,7 @@ extern "C" {
     ///                 0 and bsdf_samples 0 if the image would otherwise have extracted lights or samples of the environment.
     ///   Scene         No mirrors, no smooth glass, and with a max_depth above 2 no narrow metal; no polarization elements. The
     ///                 gradient by the environment needs hidden emitters, that by instances no emissive surfaces, and those by
-    ///                 lights and by instances no local light of the value 0.
+    ///                 lights, by instances and by texels no local light of the value 0.
     /// Returns NICOL_ERROR_UNSUPPORTED for other options and scenes, with a message that says what to change.
     /// Returns NICOL_ERROR_INVALID_ARGUMENT for sizes that do not fit, for numbers that are not finite, for a local light of the
     /// value 0, and if the gradient by the environment is wanted without an environment; else the results of nicol_render. A call

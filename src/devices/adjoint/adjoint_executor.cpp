@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <glm/matrix.hpp>
+#include <optional>
 #include <string>
 
 #include "devices/adjoint/point_gradient.hpp"
+#include "devices/adjoint/texture_gradient.hpp"
 #include "devices/adjoint/vertex_gradient.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "error.hpp"
@@ -172,7 +174,10 @@ void AdjointExecutor::shade_pixels(const FactoredMethod& method, const PixelInpu
 
     const bool shadows = method.shadows()->has_value();
     VertexGradient rows(shadows ? geometry.positions.size() : 0, size);
-    const PointGradient points(input, picture_, responses, lights, rows);
+    std::optional<TextureGradient> texture;
+    if (texture_ != nullptr)
+        texture.emplace(input, responses, shadows ? &**method.shadows() : nullptr, texture_, run);
+    const PointGradient points(input, picture_, responses, lights, rows, texture ? &*texture : nullptr);
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     run.workers.for_vertices(
@@ -181,6 +186,7 @@ void AdjointExecutor::shade_pixels(const FactoredMethod& method, const PixelInpu
     if (shadows) transpose_relight(method, input, rows, picture_.channels, sums, run);
     sums.combine_each([&](const GradientSums& one) { all += one; });
     collect(all, input);
+    if (texture) gradients_.texels = texture->texels();
     if (input.bounces > 0)
         add(method.bounces().gradient([&](std::size_t v) { return rows.row(v); }, input.layout,
                                       picture_.channels),
@@ -194,7 +200,8 @@ void AdjointExecutor::collect(const GradientSums& sums, const PixelInput& input)
     const std::size_t lights = lights_.size();
     gradients_ = {.distant = PshVector(input.layout.order(), picture_.channels),
                   .lights = std::vector<double>(lights * channels * 4),
-                  .reflection = std::vector<double>(ranges * channels)};
+                  .reflection = std::vector<double>(ranges * channels),
+                  .texels = {}};
     for (std::size_t r = 0; r < ranges; ++r) {
         const std::span reflection = std::span(gradients_.reflection).subspan(r * channels, channels);
         const PshVector distant = gradient_by_coefficients(std::span(sums.distant).subspan(r * size, size),

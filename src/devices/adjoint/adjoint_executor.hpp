@@ -10,6 +10,7 @@
 #include "methods/executor.hpp"
 #include "polarization/stokes.hpp"
 #include "shading/light_source.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 
@@ -32,6 +33,8 @@ struct LightGradients {
     std::vector<double> lights;
     /// Gradient by a factor of what a range of the geometry reflects, [range][channel].
     std::vector<double> reflection;
+    /// Gradient by the texels of a texture, [row][column][channel]; empty: none is wanted.
+    std::vector<double> texels;
 };
 
 /// Pipeline::run() with this executor computes the gradients by shading at pixels, on threads. Rows of
@@ -43,8 +46,9 @@ class AdjointExecutor final : public RenderExecutor {
 public:
     /// picture: the gradient by the pixels' Stokes vectors; must outlive the executor and have the scene's
     /// channels and the size of the hits. lights: all local lights of the scene, which are not dark, or none.
-    AdjointExecutor(const StokesImage& picture, std::vector<AdjointLight> lights)
-        : picture_(picture), lights_(std::move(lights)) {}
+    /// texture: the texture of an image, or null.
+    AdjointExecutor(const StokesImage& picture, std::vector<AdjointLight> lights, TexturePtr texture)
+        : picture_(picture), lights_(std::move(lights)), texture_(std::move(texture)) {}
 
     [[nodiscard]] bool can_choose() const noexcept override { return true; }
     [[nodiscard]] bool samples_pixels() const noexcept override { return true; }
@@ -77,6 +81,7 @@ private:
 
     const StokesImage& picture_;
     std::vector<AdjointLight> lights_;
+    TexturePtr texture_;
     LightGradients gradients_;
 };
 

@@ -56,12 +56,14 @@ struct PointGradient::Work {
 
 PointGradient::PointGradient(const PixelInput& input, const StokesImage& picture,
                              std::span<const std::vector<const ResponseTable*>> responses,
-                             std::span<const LocalLighting> lights, VertexGradient& vertices)
+                             std::span<const LocalLighting> lights, VertexGradient& vertices,
+                             TextureGradient* texture)
     : input_(input),
       picture_(picture),
       responses_(responses),
       lights_(lights),
       vertices_(vertices),
+      texture_(texture),
       rotation_(input.layout) {}
 
 void PointGradient::add(std::size_t first, std::size_t last, GradientSums& sums) const {
@@ -78,8 +80,17 @@ void PointGradient::add(std::size_t first, std::size_t last, GradientSums& sums)
     add(work.points.whole, [&] {
         add_distant(work, sums);
         if (work.batch.reflects_lights()) add_lights(work, sums);
+        add_texture(work, {.distant = true, .local = work.batch.reflects_lights()});
     });
-    add(work.points.parts, [&] { add_lights(work, sums); });
+    add(work.points.parts, [&] {
+        add_lights(work, sums);
+        add_texture(work, {.distant = false, .local = true});
+    });
+}
+
+void PointGradient::add_texture(Work& work, const TextureGradient::Reflected& reflected) const {
+    if (texture_ != nullptr && texture_->varies(work.batch.points().front().range))
+        texture_->add(work.batch, work.gradient, reflected);
 }
 
 void PointGradient::take_gradient(Work& work) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "devices/adjoint/texture_gradient.hpp"
 #include "devices/adjoint/vertex_gradient.hpp"
 #include "devices/pixel_batch.hpp"
 #include "image/stokes_image.hpp"
@@ -30,10 +31,10 @@ struct GradientSums {
 class PointGradient {
 public:
     /// Keeps references. responses: [range][layer]. lights: one lighting for each local light, by its
-    /// unit_sources().
+    /// unit_sources(). texture: null, or a texture of which the gradient is wanted as well.
     PointGradient(const PixelInput& input, const StokesImage& picture,
                   std::span<const std::vector<const ResponseTable*>> responses,
-                  std::span<const LocalLighting> lights, VertexGradient& vertices);
+                  std::span<const LocalLighting> lights, VertexGradient& vertices, TextureGradient* texture);
 
     /// Adds the gradients of the pixels first <= pixel < last. Calls for different pixels may run side by
     /// side, with sums of their own.
@@ -45,12 +46,14 @@ private:
     void take_gradient(Work& work) const;
     void add_distant(Work& work, GradientSums& sums) const;
     void add_lights(Work& work, GradientSums& sums) const;
+    void add_texture(Work& work, const TextureGradient::Reflected& reflected) const;
 
     const PixelInput& input_;
     const StokesImage& picture_;
     std::span<const std::vector<const ResponseTable*>> responses_;
     std::span<const LocalLighting> lights_;
     VertexGradient& vertices_;
+    TextureGradient* texture_;
     FrameRotation rotation_;
 };
 
