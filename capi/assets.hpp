@@ -69,11 +69,12 @@ std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), voi
     return {given->*user, given->*release};
 }
 
-/// Returns the texture of a descriptor's field, null if it has none.
-inline TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
+/// Returns the texture of a descriptor's field, null if it has none. owner: context or scene that uses it.
+template <class Owner>
+TexturePtr texture_of(nicol_texture given, const Owner& owner) {
     if (given == nullptr) return nullptr;
     const nicol_texture_impl texture = resolve(given);
-    require_same_context(context, texture);
+    require_same_context(owner, texture);
     return texture.content;
 }
 

@@ -45,13 +45,6 @@ double angle_from(double degrees, double least, double most, const char* name) {
     return degrees * kDegree;
 }
 
-TexturePtr texture_from(const nicol_scene_impl& scene, nicol_texture given) {
-    if (given == nullptr) return nullptr;
-    const nicol_texture_impl& texture = resolve(given);
-    require_same_context(scene, texture);
-    return texture.content;
-}
-
 static_assert(static_cast<int>(LocalLight::Kind::directional) == NICOL_LIGHT_DIRECTIONAL &&
               static_cast<int>(LocalLight::Kind::point) == NICOL_LIGHT_POINT &&
               static_cast<int>(LocalLight::Kind::spot) == NICOL_LIGHT_SPOT &&
@@ -76,7 +69,7 @@ LocalLight light_from(const nicol_scene_impl& scene, const nicol_light* light) {
         out.fov = angle_from(given.fov, narrowest, 180 - 2 * narrowest, "light->fov");
         out.aspect = given.aspect;
     }
-    out.texture = texture_from(scene, given.texture);
+    out.texture = texture_of(given.texture, scene);
     out.state = polarization_from(given.polarization);
     return out;
 }
@@ -101,7 +94,7 @@ EmissionPtr emission_from(const nicol_scene_impl& scene, const nicol_emission* e
     if (given.reserved != 0) refuse("emission->reserved must be 0");
     Emission out;
     out.radiance = spectrum(given.radiance, 1, 1, "emission->radiance");
-    out.texture = texture_from(scene, given.texture);
+    out.texture = texture_of(given.texture, scene);
     out.two_sided = switch_from(given.two_sided, "emission->two_sided");
     out.state = polarization_from(given.polarization);
     return std::make_shared<const Emission>(std::move(out));

@@ -13,6 +13,8 @@
 #include "material/plastic.hpp"
 #include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
+#include "material/varying_film.hpp"
+#include "texture/affine_texture.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -89,6 +91,17 @@ FilmParameters film_of(const nicol_film& given) {
             .wavelengths = spectrum(given.wavelengths, 0, 0, "film.wavelengths")};
 }
 
+/// Returns make() for the film of a material, whose thickness may vary.
+template <class Given, class Make>
+MaterialPtr with_film(const Given& given, const nicol_context_impl& context, const Make& make) {
+    const FilmParameters film = film_of(given.film);
+    const TexturePtr thickness = texture_of(given.film_thickness_texture, context);
+    if (thickness == nullptr) return make(film);
+    constexpr auto thinnest = static_cast<float>(kThinnestFilm);
+    return with_film_thickness(make, film, given.film_thickness_least,
+                               affine_texture(thickness, 1 - thinnest, thinnest));
+}
+
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
     const auto [u, v] = roughnesses(given, context);
@@ -102,7 +115,8 @@ MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context)
         .alpha = u,
         .alpha_v = v,
         .distribution = distribution_of(given.distribution)};
-    return coated_pplastic(parameters, film_of(given.film));
+    return with_film(given, context,
+                     [&](const FilmParameters& film) { return coated_pplastic(parameters, film); });
 }
 
 MaterialPtr make(const nicol_plastic& given, const nicol_context_impl& context) {
@@ -138,16 +152,18 @@ MaterialPtr make(const nicol_principled& given, const nicol_context_impl& contex
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
     const auto [u, v] = roughnesses(given, context);
-    std::vector<std::complex<double>> eta = index_of(given);
-    FilmTablePtr film = film_table(film_of(given.film), 1, eta);
-    return rough_conductor(
-        {.eta = std::move(eta),
-         .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
-                                       given.specular_reflectance_texture, context),
-         .alpha = u,
-         .alpha_v = v,
-         .distribution = distribution_of(given.distribution),
-         .film = std::move(film)});
+    RoughConductorParameters parameters{
+        .eta = index_of(given),
+        .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
+                                      given.specular_reflectance_texture, context),
+        .alpha = u,
+        .alpha_v = v,
+        .distribution = distribution_of(given.distribution),
+        .film = nullptr};
+    return with_film(given, context, [&](const FilmParameters& film) {
+        parameters.film = film_table(film, 1, parameters.eta);
+        return rough_conductor(parameters);
+    });
 }
 
 MaterialPtr make(const nicol_dielectric& given, const nicol_context_impl& context) {

@@ -35,7 +35,7 @@ nicol_polarization_element element_to(const PolarizationElement& element) {
 
 namespace nicol::capi {
 
-PolarizationElement element_from(const nicol_polarization_element* element) {
+nicol_polarization_element read_element(const nicol_polarization_element* element) {
     const nicol_polarization_element given =
         read_struct(element, nicol_polarization_element NICOL_POLARIZATION_ELEMENT_INIT, "element");
     require_constant(given.kind, NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR, "element->kind",
@@ -43,6 +43,10 @@ PolarizationElement element_from(const nicol_polarization_element* element) {
     require_constant(given.outline, NICOL_POLARIZATION_ELEMENT_DISK, "element->outline",
                      "NICOL_POLARIZATION_ELEMENT_...");
     if (given.reserved != 0) refuse("element->reserved must be 0");
+    return given;
+}
+
+PolarizationElement element_from(const nicol_polarization_element& given) {
     return {.kind = static_cast<Kind>(given.kind),
             .outline = static_cast<Outline>(given.outline),
             .to_world = matrix(given.to_world),
@@ -53,13 +57,24 @@ PolarizationElement element_from(const nicol_polarization_element* element) {
 
 }  // namespace nicol::capi
 
+namespace {
+
+SceneElement textured_from(const nicol_scene_impl& scene, const nicol_polarization_element* element) {
+    const nicol_polarization_element given = read_element(element);
+    return {element_from(given),
+            {.angle = texture_of(given.angle_texture, scene),
+             .retardance = texture_of(given.retardance_texture, scene)}};
+}
+
+}  // namespace
+
 nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
                                                   const nicol_polarization_element* element, uint32_t* id) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const PolarizationElement given = element_from(element);
+        const SceneElement given = textured_from(self, element);
         const Edit edit(self);
-        const std::uint32_t added = self.content->scene.add_element(given);
+        const std::uint32_t added = self.content->scene.add_element(given, given.textures);
         if (id != nullptr) *id = added;
     });
 }
@@ -68,9 +83,9 @@ nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id
                                                   const nicol_polarization_element* element) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const PolarizationElement given = element_from(element);
+        const SceneElement given = textured_from(self, element);
         const Edit edit(self);
-        self.content->scene.set_element(id, given);
+        self.content->scene.set_element(id, given, given.textures);
     });
 }
 
@@ -88,6 +103,28 @@ nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
         write_struct(element, element_to(self.content->scene.element(id)), "element");
+    });
+}
+
+nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, uint32_t id,
+                                                           nicol_texture* angle, nicol_texture* retardance) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const Edit edit(self);
+        const ElementTextures& textures = self.content->scene.element(id).textures;
+        const auto handle = [&](const nicol_texture* wanted, const TexturePtr& texture) {
+            return wanted != nullptr && texture != nullptr
+                       ? make_handle<nicol_texture_impl>(self.session, texture)
+                       : nullptr;
+        };
+        const nicol_texture of_angle = handle(angle, textures.angle);
+        try {
+            if (retardance != nullptr) *retardance = handle(retardance, textures.retardance);
+        } catch (...) {
+            release(of_angle);
+            throw;
+        }
+        if (angle != nullptr) *angle = of_angle;
     });
 }
 

@@ -158,7 +158,10 @@ nicol_result nicol_sensor_add_element(nicol_sensor* sensor, const nicol_polariza
                                       double extinction_ratio) {
     return guarded([&] {
         Sensor out = sensor_from(sensor);
-        const PolarizationElement added = element_from(element);
+        const nicol_polarization_element given = read_element(element);
+        if (given.angle_texture != nullptr || given.retardance_texture != nullptr)
+            refuse("a sensor's element has a texture; it must have none");
+        const PolarizationElement added = element_from(given);
         if (added.to_world != glm::dmat4(1.0))
             refuse("element->to_world must be the identity: the element faces the camera");
         out.optics = in_front(added, extinction_ratio) * out.optics;

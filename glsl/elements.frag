@@ -6,6 +6,12 @@
 
 #include "hits.glsl"
 #include "vertex_view.glsl"
+// TEXTURED: defined if elements have textures.
+#ifdef TEXTURED
+#define TABLE 3
+#define TEXELS 4
+#include "texture.glsl"
+#endif
 
 layout(location = 0) in vec2 uv;  // (0, 0) is the upper left corner
 layout(location = 0) out vec4 pixel[CHANNELS];
@@ -18,12 +24,17 @@ struct Element {
     vec4 x;     // xyz: the element's x direction; w: x of the eye from the center; the edge is at 1
     vec4 y;
     vec4 z;     // xyz: unit normal; w: coordinate of the eye along the normal
-    vec4 axis;  // unit: absorbing axis of a polarizer, fast axis of a retarder; w: the kind
+    vec4 axis;  // unit: absorbing axis of a polarizer, fast axis of a retarder, for a textured angle that of the
+                // angle 0; w: the kind
     float retardance;  // radians
     float transmittance;
     float round;  // 1: a disk, 0: a rectangle
-    float unused;
+    float angle;  // radians
+    uint angle_texture;  // word of the texture that is a factor on the angle, or NO_TEXTURE
+    uint retardance_texture;
+    uint unused[2];
 };
+const uint NO_TEXTURE = 0xFFFFFFFFu;
 const int POLARIZER = 0;
 const int RETARDER = 1;
 const int RIGHT_CIRCULAR = 2;
@@ -63,23 +74,49 @@ float distance_to(Hit hit, Ray ray) {
     return dot(normal, from_eye - ray.aside) / dot(normal, ray.direction);
 }
 
+// Returns x and y of the element at a distance along a ray.
+vec2 place_on(Element element, Ray ray, float t) {
+    vec3 way = ray.aside + t * ray.direction;
+    return vec2(dot(element.x.xyz, way) + element.x.w, dot(element.y.xyz, way) + element.y.w);
+}
+
 // Returns the distance, or a negative number if the ray does not meet the element.
 float distance_to(Element element, Ray ray) {
     float t = -(element.z.w + dot(element.z.xyz, ray.aside)) / dot(element.z.xyz, ray.direction);
-    vec3 way = ray.aside + t * ray.direction;
-    vec2 at = vec2(dot(element.x.xyz, way) + element.x.w, dot(element.y.xyz, way) + element.y.w);
+    vec2 at = place_on(element, ray, t);
     float edge = element.round != 0.0 ? length(at) : max(abs(at.x), abs(at.y));
     return edge <= 1.0 ? t : -1.0;
 }
 
-// Passes light in the camera's frame field, whose x axis is `x`, through an element.
-void pass(Element element, vec3 propagation, vec3 x, inout vec4 light[CHANNELS]) {
-    vec2 axis = vec2(dot(element.axis.xyz, x), dot(element.axis.xyz, cross(propagation, x)));
+// Axis and retardance of an element where a ray meets it.
+struct Local {
+    vec3 axis;
+    vec3 retardance;  // at normal incidence: that of the first three channels
+};
+
+Local local_at(Element element, vec2 place) {
+    Local local = Local(element.axis.xyz, vec3(element.retardance));
+#ifdef TEXTURED
+    TexturePoint point = TexturePoint(0.5 + 0.5 * place, vec2(0.0), vec2(0.0), vec3(1.0));
+    if (element.angle_texture != NO_TEXTURE) {
+        float angle = element.angle * texture_at(element.angle_texture, point).x;
+        local.axis = cos(angle) * local.axis + sin(angle) * cross(element.z.xyz, local.axis);
+    }
+    if (element.retardance_texture != NO_TEXTURE)
+        local.retardance *= texture_at(element.retardance_texture, point).xyz;
+#endif
+    return local;
+}
+
+// Passes light in the camera's frame field, whose x axis is `x`, through an element at a place of it.
+void pass(Element element, vec2 place, vec3 propagation, vec3 x, inout vec4 light[CHANNELS]) {
+    Local local = local_at(element, place);
+    vec2 axis = vec2(dot(local.axis, x), dot(local.axis, cross(propagation, x)));
     float squared = dot(axis, axis);
     vec2 twice = squared > 0.0 ? double_angle(axis) / squared : vec2(1.0, 0.0);
-    float delta = element.retardance * abs(dot(element.z.xyz, propagation));
-    float c = cos(delta);
-    float s = sin(delta);
+    vec3 delta = local.retardance * abs(dot(element.z.xyz, propagation));
+    vec3 cosines = cos(delta);
+    vec3 sines = sin(delta);
     int kind = int(element.axis.w);
     for (int i = 0; i < CHANNELS; ++i) {
         vec4 along = in_rotated_frame(light[i], twice);
@@ -88,6 +125,9 @@ void pass(Element element, vec3 propagation, vec3 x, inout vec4 light[CHANNELS])
             float h = 0.5 * (along.x - along.y);
             passed = vec4(h, -h, 0.0, 0.0);
         } else if (kind == RETARDER) {
+            // In scenes of more than three channels, textures have one.
+            float c = cosines[min(i, 2)];
+            float s = sines[min(i, 2)];
             passed = vec4(along.xy, c * along.z + s * along.w, c * along.w - s * along.z);
         } else {
             float sign = kind == RIGHT_CIRCULAR ? 1.0 : -1.0;
@@ -128,7 +168,7 @@ void main() {
                 }
             }
             if (next < 0) break;
-            pass(elements[next], propagation, x, passed);
+            pass(elements[next], place_on(elements[next], ray, farthest), propagation, x, passed);
             last = farthest;
             last_element = next;
             met = true;

@@ -2,7 +2,7 @@
 // Textures, evaluated as in src/material, from words and texels in the layout of DeviceVariation.
 #include "footprint.glsl"
 
-// TABLE, TEXELS: bindings. TEXTURES: number of textures, at least 2.
+// TABLE, TEXELS: bindings. TEXTURES: number of textures, at least 2, for evaluate_textures().
 layout(std430, binding = TABLE) readonly buffer Table { uint table[]; };
 layout(std430, binding = TEXELS) readonly buffer Texels { float texels[]; };
 
@@ -14,7 +14,7 @@ const uint LEVEL_WORDS = 3u;
 const uint KIND_CONSTANT = 0u;
 const uint KIND_IMAGE = 1u;
 const uint KIND_CHECKERBOARD = 2u;
-const uint KIND_MESH_COLOR = 3u;
+const uint KIND_PRODUCT = 4u;
 const uint FILTER_NEAREST = 0u;
 const uint FILTER_MIPMAP = 2u;
 const uint WRAP_REPEAT = 0u;
@@ -183,21 +183,25 @@ vec4 checkerboard_at(uint texture, TexturePoint point) {
     return mix(color_at(texture + 12u), color_at(texture + 16u), 0.5 - 0.5 * sum / float(parts * parts));
 }
 
+// Returns the value of a texture that is no product. texture: its first word.
+vec4 texture_at(uint texture, TexturePoint point) {
+    uint kind = table[texture];
+    if (kind == KIND_CONSTANT) return color_at(texture + 12u);
+    if (kind == KIND_IMAGE) return image_at(texture, point);
+    if (kind == KIND_CHECKERBOARD) return checkerboard_at(texture, point);
+    return vec4(point.color, 1.0);
+}
+
+#ifdef TEXTURES
 // Computes values[t] of the textures whose words begin at `first`.
 void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]) {
     for (int t = 0; t < TEXTURES; ++t) {
         uint texture = first + TEXTURE_WORDS * uint(t);
-        uint kind = table[texture];
-        if (kind == KIND_CONSTANT) {
-            values[t] = color_at(texture + 12u);
-        } else if (kind == KIND_IMAGE) {
-            values[t] = image_at(texture, point);
-        } else if (kind == KIND_CHECKERBOARD) {
-            values[t] = checkerboard_at(texture, point);
-        } else if (kind == KIND_MESH_COLOR) {
-            values[t] = vec4(point.color, 1.0);
-        } else {
+        if (table[texture] == KIND_PRODUCT) {
             values[t] = values[table[texture + 12u]] * values[table[texture + 13u]];
+        } else {
+            values[t] = texture_at(texture, point);
         }
     }
 }
+#endif

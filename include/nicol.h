@@ -636,11 +636,16 @@ typedef struct nicol_pplastic {
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
     nicol_film film; /* film on the boundary, default none */
+    /* Texture whose first channel, clamped to 0 to 1, varies the thickness of the film: film_thickness_least
+     * at 0, film.thickness at 1, linear between; NULL, the default: none. A texture of more than 16 values is
+     * interpolated between up to 25 thicknesses. */
+    nicol_texture film_thickness_texture;
+    double film_thickness_least; /* thickness of the film where its texture is 0, nm, 0 to 10000, default 0 */
 } nicol_pplastic;
 /* clang-format off */
 #define NICOL_PPLASTIC_INIT                                                                        \
     { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f, \
-      0, 0, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT }
+      0, 0, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_pplastic_init(nicol_pplastic* descriptor, uint32_t struct_size);
 
@@ -785,11 +790,16 @@ typedef struct nicol_conductor {
     /* Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0. */
     nicol_texture alpha_v_texture;
     nicol_film film; /* film on the facets, default none */
+    /* Texture whose first channel, clamped to 0 to 1, varies the thickness of the film: film_thickness_least
+     * at 0, film.thickness at 1, linear between; NULL, the default: none. A texture of more than 16 values is
+     * interpolated between up to 25 thicknesses. */
+    nicol_texture film_thickness_texture;
+    double film_thickness_least; /* thickness of the film where its texture is 0, nm, 0 to 10000, default 0 */
 } nicol_conductor;
 /* clang-format off */
 #define NICOL_CONDUCTOR_INIT                                                                        \
     { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
-      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT }
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_t struct_size);
 
@@ -1256,11 +1266,19 @@ typedef struct nicol_polarization_element {
     /* Retardance of a retarder at normal incidence, degrees; finite, default 90, a quarter-wave plate. */
     double retardance;
     double transmittance; /* factor on the transmittance of the ideal element, 0 to 1, default 1 */
+    /* Textures over the square |x| <= 1, |y| <= 1 of the element's axes, with u along x and v
+     * along y, as on nicol_mesh_create_rectangle. They are looked up at points, so fringes finer than a pixel
+     * need pixel_samples, and have no colours of a mesh. An element with textures acts on what the camera
+     * sees, not on lights of a file. */
+    nicol_texture angle_texture; /* factor on angle, in the first channel; NULL, the default: 1 */
+    /* Factor on retardance: one channel, or red, green and blue, as of a plate whose retardance is a length;
+     * NULL, the default: 1. */
+    nicol_texture retardance_texture;
 } nicol_polarization_element;
 /* clang-format off */
 #define NICOL_POLARIZATION_ELEMENT_INIT \
     { sizeof(nicol_polarization_element), NICOL_POLARIZATION_ELEMENT_POLARIZER, \
-      NICOL_POLARIZATION_ELEMENT_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1 }
+      NICOL_POLARIZATION_ELEMENT_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_element* descriptor,
                                                        uint32_t struct_size);
@@ -1390,7 +1408,8 @@ NICOL_API nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id,
 NICOL_API nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission,
                                                 nicol_texture* texture);
 /* Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
- * and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+ * and lights. The handles of the textures may be released afterwards. The message of
+ * NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
                                                             const nicol_polarization_element* element,
                                                             uint32_t* id);
@@ -1400,9 +1419,14 @@ NICOL_API nicol_result nicol_scene_set_polarization_element(nicol_scene scene, u
                                                             const nicol_polarization_element* element);
 /* Removes a polarization element. The id is not used again; other elements keep their ids. */
 NICOL_API nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id);
-/* Gets a polarization element as it was given. */
+/* Gets a polarization element as it was given, but for its textures, which are NULL. */
 NICOL_API nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id,
                                                             nicol_polarization_element* element);
+/* Gets the textures of a polarization element as handles to release; NULL for none. angle or retardance may
+ * be NULL. */
+NICOL_API nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, uint32_t id,
+                                                                     nicol_texture* angle,
+                                                                     nicol_texture* retardance);
 /* Gets the number of polarization elements. */
 NICOL_API nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint32_t* elements);
 /* Gets the ids of all polarization elements, ascending. count must be the number of elements. */
@@ -2131,8 +2155,8 @@ NICOL_API nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path)
 NICOL_API nicol_result nicol_sensor_load_memory(nicol_sensor* sensor, const nicol_memory_file* file);
 /* Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
  * the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
- * its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
- * 1; 0: an ideal polarizer. */
+ * its outline has no effect, and it must have no textures. extinction_ratio: transmittance along over across
+ * a polarizer's axis, at least 1; 0: an ideal polarizer. */
 NICOL_API nicol_result nicol_sensor_add_element(nicol_sensor* sensor,
                                                 const nicol_polarization_element* element,
                                                 double extinction_ratio);

@@ -414,6 +414,12 @@ public:
         check(nicol_scene_get_polarization_element(get(), id, &element));
         return element;
     }
+    [[nodiscard]] std::tuple<Texture, Texture> get_polarization_element_textures(uint32_t id) const {
+        auto angle = nicol_texture{};
+        auto retardance = nicol_texture{};
+        check(nicol_scene_get_polarization_element_textures(get(), id, &angle, &retardance));
+        return {Texture(angle), Texture(retardance)};
+    }
     [[nodiscard]] uint32_t get_polarization_element_count() const {
         auto elements = uint32_t{};
         check(nicol_scene_get_polarization_element_count(get(), &elements));

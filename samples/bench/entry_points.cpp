@@ -246,6 +246,7 @@ void edit_elements(const EntryPoints::Watch& watch, nicol_scene scene) {
     call(watch, NAMED(nicol_scene_add_polarization_element), scene, &element, &id);
     call(watch, NAMED(nicol_scene_set_polarization_element), scene, id, &element);
     call(watch, NAMED(nicol_scene_get_polarization_element), scene, id, &element);
+    call(watch, NAMED(nicol_scene_get_polarization_element_textures), scene, id, nullptr, nullptr);
     call(watch, NAMED(nicol_scene_get_polarization_element_count), scene, &count);
     call(watch, NAMED(nicol_scene_get_polarization_element_ids), scene, &id, std::uint64_t{1});
     call(watch, NAMED(nicol_scene_remove_polarization_element), scene, id);

@@ -172,6 +172,8 @@ typedef struct nicol_pplastic {
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
     nicol_film film;
+    nicol_texture film_thickness_texture;
+    double film_thickness_least;
 } nicol_pplastic;
 typedef struct nicol_plastic {
     uint32_t struct_size;
@@ -230,6 +232,8 @@ typedef struct nicol_conductor {
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
     nicol_film film;
+    nicol_texture film_thickness_texture;
+    double film_thickness_least;
 } nicol_conductor;
 typedef struct nicol_dielectric {
     uint32_t struct_size;
@@ -338,6 +342,8 @@ typedef struct nicol_polarization_element {
     double angle;
     double retardance;
     double transmittance;
+    nicol_texture angle_texture;
+    nicol_texture retardance_texture;
 } nicol_polarization_element;
 typedef struct nicol_instance {
     uint32_t struct_size;
@@ -781,6 +787,7 @@ nicol_result nicol_scene_add_polarization_element(nicol_scene scene, const nicol
 nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id, const nicol_polarization_element* element);
 nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id);
 nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id, nicol_polarization_element* element);
+nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, uint32_t id, nicol_texture* angle, nicol_texture* retardance);
 nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint32_t* elements);
 nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
@@ -1140,6 +1147,7 @@ return {
         scene_set_polarization_element = true,
         scene_remove_polarization_element = true,
         scene_get_polarization_element = true,
+        scene_get_polarization_element_textures = "nicol_texture",
         scene_get_polarization_element_count = true,
         scene_get_polarization_element_ids = true,
         scene_get_camera = true,

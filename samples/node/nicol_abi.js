@@ -412,6 +412,8 @@ export const types = [
       ["alpha_u_texture", "nicol_texture", 0],
       ["alpha_v_texture", "nicol_texture", 0],
       ["film", "nicol_film", 0],
+      ["film_thickness_texture", "nicol_texture", 0],
+      ["film_thickness_least", "double", 0],
     ],
   },
   {
@@ -485,6 +487,8 @@ export const types = [
       ["alpha_u_texture", "nicol_texture", 0],
       ["alpha_v_texture", "nicol_texture", 0],
       ["film", "nicol_film", 0],
+      ["film_thickness_texture", "nicol_texture", 0],
+      ["film_thickness_least", "double", 0],
     ],
   },
   {
@@ -648,6 +652,8 @@ export const types = [
       ["angle", "double", 0],
       ["retardance", "double", 0],
       ["transmittance", "double", 0],
+      ["angle_texture", "nicol_texture", 0],
+      ["retardance_texture", "nicol_texture", 0],
     ],
   },
   {
@@ -1196,6 +1202,7 @@ export const functions = {
   scene_set_polarization_element: ["nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id, const nicol_polarization_element *element)", true, null],
   scene_remove_polarization_element: ["nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id)", true, null],
   scene_get_polarization_element: ["nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id, _Inout_ nicol_polarization_element *element)", true, null],
+  scene_get_polarization_element_textures: ["nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, uint32_t id, _Out_ nicol_texture *angle, _Out_ nicol_texture *retardance)", true, "nicol_texture"],
   scene_get_polarization_element_count: ["nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, _Out_ uint32_t *elements)", true, null],
   scene_get_polarization_element_ids: ["nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, _Out_ uint32_t *ids, uint64_t count)", true, null],
   scene_get_camera: ["nicol_result nicol_scene_get_camera(nicol_scene scene, _Inout_ nicol_camera *camera)", true, null],

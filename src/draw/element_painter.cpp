@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/texture_table.hpp"
 #include "error.hpp"
 #include "gl/context.hpp"
 #include "gl/draw.hpp"
@@ -21,25 +22,42 @@ struct DeviceElement {
     float retardance;
     float transmittance;
     float round;
-    float unused;
+    float angle;
+    ElementWords textures;
+    std::uint32_t unused[2];
 };
-static_assert(sizeof(DeviceElement) == ElementPainter::kBytesPerElement);
+static_assert(sizeof(DeviceElement) == 96);
+// Word of a number without a texture.
+constexpr std::uint32_t kNoTexture = 0xFFFFFFFF;
 static_assert(static_cast<int>(PolarizationElement::Kind::polarizer) == 0 &&
               static_cast<int>(PolarizationElement::Kind::retarder) == 1 &&
               static_cast<int>(PolarizationElement::Kind::right_circular) == 2);
 
-DeviceElement on_device(const PlacedElement& placed, const glm::dvec3& eye) {
+DeviceElement on_device(const PlacedElement& placed, const glm::dvec3& eye, const ElementWords& textures) {
     const glm::dmat3 rows = glm::transpose(placed.to_local());
     const glm::dvec3 from = placed.to_local() * (eye - placed.center());
     const PolarizationElement& element = placed.element();
     return {.x = glm::vec4(rows[0], from.x),
             .y = glm::vec4(rows[1], from.y),
             .z = glm::vec4(rows[2], from.z),
-            .axis = glm::vec4(placed.axis(), static_cast<float>(element.kind)),
+            .axis = glm::vec4(textures.angle == kNoTexture ? placed.axis() : placed.axis(0),
+                              static_cast<float>(element.kind)),
             .retardance = static_cast<float>(element.retardance),
             .transmittance = static_cast<float>(element.transmittance),
             .round = element.outline == PolarizationElement::Outline::disk ? 1.0F : 0.0F,
-            .unused = 0};
+            .angle = static_cast<float>(element.angle),
+            .textures = textures,
+            .unused = {}};
+}
+
+// Adds the textures of an element to a table. Returns their words.
+ElementWords words_of(const SceneElement& element, TextureTable& table) {
+    const auto word = [&](const TexturePtr& texture) {
+        if (texture == nullptr) return kNoTexture;
+        return static_cast<std::uint32_t>(TextureTable::kWords) * table.number_of(texture);
+    };
+    const std::uint32_t angle = word(element.textures.angle);
+    return {.angle = angle, .retardance = word(element.textures.retardance)};
 }
 
 void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
@@ -54,26 +72,58 @@ void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
 
 }  // namespace
 
+std::uint64_t ElementPainter::bytes(const Scene& scene) {
+    TextureTable textures;
+    for (const SceneElement& element : scene.elements()) words_of(element, textures);
+    return sizeof(DeviceElement) * scene.elements().size() + sizeof(float) * textures.texels();
+}
+
 void ElementPainter::prepare(const Scene& scene, const RefinedSurfaces& surfaces,
                              const Projection& projection, int samples, const Framebuffer& target) {
     check_storage(*context_, surfaces.geometry());
     projection_ = in_axes(projection, surfaces.to_world());
     const glm::dmat4 from_world = inverse_motion(surfaces.to_world());
+    textures_stage_.run(scene.element_version(), [&] { prepare_textures(scene); });
     std::vector<DeviceElement> elements;
-    for (const PolarizationElement& element : scene.elements())
-        elements.push_back(on_device(PlacedElement(element, from_world), projection_.view.eye));
+    elements.reserve(words_.size());
+    for (std::size_t i = 0; i < words_.size(); ++i)
+        elements.push_back(
+            on_device(PlacedElement(scene.elements()[i], from_world), projection_.view.eye, words_[i]));
     elements_.reset();
     elements_.emplace(gl::storage(context_, elements));
     for (int first = 0; first < target.channels(); first += Framebuffer::kGroup)
         static_cast<void>(program(std::min(Framebuffer::kGroup, target.channels() - first), samples));
 }
 
+void ElementPainter::prepare_textures(const Scene& scene) {
+    texture_table_.reset();
+    texels_.reset();
+    words_.clear();
+    TextureTable textures;
+    words_.reserve(scene.elements().size());
+    for (const SceneElement& element : scene.elements()) words_.push_back(words_of(element, textures));
+    if (textures.count() == 0) return;
+    const std::size_t most = context_->limits().storage_bytes / sizeof(float);
+    if (textures.texels() > most)
+        throw Error(ErrorCode::unsupported,
+                    context_->info().renderer + " reaches " + std::to_string(most) +
+                        " numbers of the textures of polarization elements, which have " +
+                        std::to_string(textures.texels()) + "; use smaller images, or the reference method");
+    std::vector<std::uint32_t> table;
+    std::vector<float> texels;
+    textures.write(0, table, texels);
+    if (texels.empty()) texels.push_back(0);
+    texture_table_.emplace(gl::storage(context_, table));
+    texels_.emplace(gl::storage(context_, texels));
+}
+
 gl::Program& ElementPainter::program(int channels, int samples) {
-    const std::pair key(channels, samples);
+    const std::tuple key(channels, samples, texture_table_.has_value());
     auto found = programs_.find(key);
     if (found == programs_.end()) {
-        const gl::Define defines[] = {{.name = "CHANNELS", .value = std::to_string(channels)},
-                                      {.name = "SAMPLES", .value = std::to_string(samples)}};
+        std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)},
+                                        {.name = "SAMPLES", .value = std::to_string(samples)}};
+        if (texture_table_) defines.push_back({.name = "TEXTURED"});
         found =
             programs_
                 .emplace(key, gl::Program::graphics(context_, "fullscreen.vert", "elements.frag", defines))
@@ -87,6 +137,10 @@ void ElementPainter::draw(const VertexBuffers& buffers, const VisibilityBuffer& 
     const glm::dvec2 size(target.width(), target.height());
     const std::span offsets = hits.offsets();
     elements_->bind_storage(0);
+    if (texture_table_) {
+        texture_table_->bind_storage(3);
+        texels_->bind_storage(4);
+    }
     if (!buffers.empty()) {
         buffers.indices()->buffer().bind_storage(1);
         buffers.positions()->bind_storage(2);

@@ -6,7 +6,8 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <utility>
+#include <tuple>
+#include <vector>
 
 #include "draw/framebuffer.hpp"
 #include "draw/vertex_buffers.hpp"
@@ -15,19 +16,25 @@
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
 #include "surfaces/refined_surfaces.hpp"
+#include "versioned.hpp"
 
 namespace nicol {
+
+/// Words of the textures of an element in glsl/texture.glsl's table.
+struct ElementWords {
+    std::uint32_t angle, retardance;
+};
 
 /// Painter of polarization elements. All members must be called inside run() of the context.
 class ElementPainter {
 public:
     explicit ElementPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Bytes of the context's memory per element.
-    static constexpr std::uint64_t kBytesPerElement = 80;
+    /// Returns the bytes of the context's memory for the elements of a scene.
+    [[nodiscard]] static std::uint64_t bytes(const Scene& scene);
 
     /// Allocates everything that draw() needs. The scene must have elements. projection: of the world. Throws
-    /// Error(unsupported) for more vertices than the driver lets a shader reach.
+    /// Error(unsupported) for more vertices, or texels of elements, than the driver lets a shader reach.
     void prepare(const Scene& scene, const RefinedSurfaces& surfaces, const Projection& projection,
                  int samples, const Framebuffer& target);
 
@@ -38,13 +45,17 @@ public:
               Framebuffer& target);
 
 private:
+    void prepare_textures(const Scene& scene);
     gl::Program& program(int channels, int samples);
 
     std::shared_ptr<gl::Context> context_;
-    // By number of channels that are drawn at once, and of samples.
-    std::map<std::pair<int, int>, gl::Program> programs_;
+    // By number of channels that are drawn at once, of samples, and by whether there are textures.
+    std::map<std::tuple<int, int, bool>, gl::Program> programs_;
     std::optional<gl::Buffer> elements_;
-    Projection projection_;  // projection of the surfaces' axes
+    Stage<Version> textures_stage_;
+    std::vector<ElementWords> words_;                   // of each element
+    std::optional<gl::Buffer> texture_table_, texels_;  // empty: there are no textures
+    Projection projection_;                             // projection of the surfaces' axes
 };
 
 }  // namespace nicol

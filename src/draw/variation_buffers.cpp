@@ -2,12 +2,12 @@
 #include "draw/variation_buffers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "draw/texture_table.hpp"
 #include "error.hpp"
 #include "gl/context.hpp"
 #include "gl/storage.hpp"
@@ -15,9 +15,8 @@
 namespace nicol {
 namespace {
 
-// Sizes of the layout of glsl/texture.glsl and glsl/pixel_texture.comp.
+// Words before the textures in the layout of glsl/pixel_texture.comp.
 constexpr std::size_t kHeaderWords = 8;
-constexpr std::size_t kTextureWords = 24;
 // With one texture the compiler of NVIDIA's driver (580) crashes. No textures are fewer than an array can
 // have.
 constexpr std::size_t kFewestTextures = 2;
@@ -26,67 +25,12 @@ std::uint32_t word(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-// List of textures, in which a texture's factors precede it.
-class Textures {
-public:
-    std::uint32_t number_of(const TexturePtr& texture) {
-        const auto known = std::ranges::find(textures_, texture);
-        if (known != textures_.end()) return static_cast<std::uint32_t>(known - textures_.begin());
-        const TextureDescription description = texture->describe();
-        std::array<std::uint32_t, 2> factors{};
-        if (description.kind == TextureDescription::Kind::product)
-            for (std::size_t i = 0; i < 2; ++i) factors[i] = number_of(description.factors[i]);
-        textures_.push_back(texture);
-        descriptions_.push_back(description);
-        factors_.push_back(factors);
-        return static_cast<std::uint32_t>(textures_.size() - 1);
-    }
-
-    [[nodiscard]] std::size_t count() const { return textures_.size(); }
-
-    // Appends the textures' words, which begin at `begin`, and their texels.
-    void write(std::size_t begin, std::vector<std::uint32_t>& table, std::vector<float>& texels) const {
-        table.resize(begin + kTextureWords * count());
-        for (std::size_t t = 0; t < count(); ++t) {
-            const TextureDescription& from = descriptions_[t];
-            const std::size_t at = begin + kTextureWords * t;
-            const auto channels = static_cast<std::uint32_t>(textures_[t]->channels());
-            table[at] = static_cast<std::uint32_t>(from.kind);
-            table[at + 1] = channels;
-            table[at + 2] = static_cast<std::uint32_t>(from.sampling.filter);
-            table[at + 3] = static_cast<std::uint32_t>(from.sampling.wrap);
-            table[at + 4] = static_cast<std::uint32_t>(from.levels.size());
-            table[at + 5] = static_cast<std::uint32_t>(table.size());
-            std::size_t next = at + 6;
-            for (glm::length_t column = 0; column < 3; ++column)
-                for (glm::length_t row = 0; row < 2; ++row)
-                    table[next++] = word(static_cast<float>(from.sampling.to_uv[column][row]));
-            for (const glm::vec4& color : from.colors)
-                for (glm::length_t c = 0; c < 4; ++c) table[next++] = word(color[c]);
-            if (from.kind == TextureDescription::Kind::product)
-                std::ranges::copy(factors_[t], table.begin() + static_cast<std::ptrdiff_t>(at + 12));
-            for (const TextureImage& level : from.levels) {
-                const auto width = static_cast<std::uint32_t>(level.width);
-                const auto height = static_cast<std::uint32_t>(level.height);
-                table.insert(table.end(), {static_cast<std::uint32_t>(texels.size()), width, height});
-                const auto numbers = std::ptrdiff_t{1} * width * height * channels;
-                texels.insert(texels.end(), level.values.begin(), level.values.begin() + numbers);
-            }
-        }
-    }
-
-private:
-    std::vector<TexturePtr> textures_;
-    std::vector<TextureDescription> descriptions_;
-    std::vector<std::array<std::uint32_t, 2>> factors_;
-};
-
 }  // namespace
 
 VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
                                    const SpatialVariation& variation)
     : layers_(variation.layers.size()) {
-    Textures textures;
+    TextureTable textures;
     std::vector<std::uint32_t> numbers;
     for (const TexturePtr& texture : variation.textures) numbers.push_back(textures.number_of(texture));
     const NormalVariation& normal = variation.normal;

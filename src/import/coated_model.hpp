@@ -4,17 +4,17 @@
 
 #include <utility>
 
+#include "import/film_description.hpp"
 #include "import/late_parameters.hpp"
-#include "material/film.hpp"
 
 namespace nicol::scene {
 
 /// A coated_pplastic().
 struct CoatedPlasticModel final : MaterialModel, LateParameters<PplasticParameters> {
-    CoatedPlasticModel(LateParameters<PplasticParameters> plastic, FilmParameters on_boundary)
+    CoatedPlasticModel(LateParameters<PplasticParameters> plastic, FilmDescription on_boundary)
         : LateParameters(std::move(plastic)), film(std::move(on_boundary)) {}
 
-    FilmParameters film;
+    FilmDescription film;
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };

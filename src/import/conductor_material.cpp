@@ -44,11 +44,12 @@ void read_index(Plugin& plugin, MetalModel& model) {
 }  // namespace
 
 MaterialPtr MetalModel::make(const MaterialMaker& maker) const {
-    std::vector<std::complex<double>> of_channels = index(maker.channels);
     P conductor = with(maker);
-    conductor.film = film_table(film_in(film, maker.channels), 1, of_channels);
-    conductor.eta = std::move(of_channels);
-    return rough_conductor(conductor);
+    conductor.eta = index(maker.channels);
+    return with_film(maker, film, [&](const FilmParameters& of_point) {
+        conductor.film = film_table(of_point, 1, conductor.eta);
+        return rough_conductor(conductor);
+    });
 }
 
 std::vector<std::complex<double>> MetalModel::index(const SceneChannels& channels) const {
@@ -73,7 +74,7 @@ MaterialDescription read_conductor(const MaterialSource& source) {
     read_index(source.plugin, model);
     read_color(source, "specular_reflectance", model, &P::specular_reflectance);
     model.parameters.alpha = 0.0;
-    model.film = read_film(source.plugin);
+    model.film = read_film(source);
     if (source.plugin.type() == "roughconductor") set_facets(read_anisotropic_facets(source), model);
     return model;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "import/film_description.hpp"
 #include "import/late_parameters.hpp"
 #include "material/conductor.hpp"
 
@@ -17,7 +18,7 @@ struct MetalModel final : MaterialModel, LateParameters<RoughConductorParameters
     std::string metal;          ///< of named_metals(); empty: eta and k hold
     ColorDescription eta{0.0};  ///< real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< imaginary part, 0 to 100
-    FilmParameters film;        ///< film on the facets
+    FilmDescription film;       ///< film on the facets
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 

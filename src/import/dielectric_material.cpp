@@ -25,7 +25,11 @@ ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
                                          ModelOf<DielectricParameters>::Make make) {
     ModelOf<DielectricParameters> model(make);
     read_indices(source.plugin, model.parameters.int_ior, model.parameters.ext_ior);
-    model.parameters.film = read_film(source.plugin);
+    const FilmDescription film = read_film(source);
+    if (film.thickness != nullptr)
+        source.plugin.fail("film_thickness", "is a texture; glass that light passes has one thickness",
+                           ErrorCode::unsupported);
+    model.parameters.film = film.film;
     read_factor(source, "specular_reflectance", model, &DielectricParameters::specular_reflectance);
     read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
     source.notices.add_once(
@@ -42,7 +46,7 @@ MetalModel read_reflection(const MaterialSource& source) {
     MetalModel model;
     model.eta = glass.int_ior / glass.ext_ior;
     model.k = 0.0;
-    model.film = read_film(source.plugin);
+    model.film = read_film(source);
     read_color(source, "specular_reflectance", model, &RoughConductorParameters::specular_reflectance);
     static_cast<void>(read_color(source.document, source.plugin, "specular_transmittance", 1.0, 1.0));
     model.parameters.alpha = 0.0;

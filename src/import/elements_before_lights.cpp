@@ -75,8 +75,8 @@ struct Way {
     double last = kInfinity;
 
     [[nodiscard]] bool meets(const PlacedElement& element) const {
-        const std::optional<double> distance = element.distance(origin, direction);
-        return distance && *distance > first && *distance < last;
+        const std::optional<ElementCrossing> at = element.crossing(origin, direction);
+        return at && at->distance > first && at->distance < last;
     }
 };
 
@@ -159,22 +159,29 @@ void put_elements_before_lights(const SceneDescription& description, Scene& scen
         LocalLight light = scene.light(id);
         const Beam beam(light, lit);
         const Way& middle = beam.middle();
-        std::vector<PlacedElement> before;
+        std::vector<std::size_t> before;
         for (std::size_t p = 0; p < placed.size(); ++p) {
             files.budget().check_time(description.files.front().path);
             const std::optional<glm::dvec3> beside = beam.beside(placed[p]);
-            if (!beside) before.push_back(placed[p]);
+            if (!beside) before.push_back(p);
             other_light = other_light || beside;
             if (beside && part.empty() && middle.meets(placed[p]))
                 part = notice_of_part(description.elements[p], description.lights[l], *beside);
         }
-        if (before.empty()) continue;
-        std::ranges::stable_sort(before, {}, [&](const PlacedElement& element) {
-            return element.distance(middle.origin, middle.direction).value_or(0);
+        std::ranges::stable_sort(before, {}, [&](std::size_t p) {
+            const std::optional<ElementCrossing> at = placed[p].crossing(middle.origin, middle.direction);
+            return at ? at->distance : 0;
         });
+        std::vector<PlacedElement> passed;
+        for (const std::size_t p : before) {
+            if (description.elements[p].textured()) break;
+            passed.push_back(placed[p]);
+        }
+        other_light = other_light || passed.size() < before.size();
+        if (passed.empty()) continue;
         const Frame frame = theta_phi_frame(glm::normalize(middle.direction));
         const LightBehindElements light_behind =
-            behind(before, light.state, frame, glm::dmat3(light.to_world));
+            behind(passed, light.state, frame, glm::dmat3(light.to_world));
         for (double& value : light.value) value *= light_behind.brightness;
         light.state = light_behind.state;
         scene.set_light(id, std::move(light));
@@ -182,9 +189,9 @@ void put_elements_before_lights(const SceneDescription& description, Scene& scen
     if (other_light)
         files.notice(
             description.elements.front().where +
-            ": polarization elements act on what the camera sees through them and on the lights that "
-            "they cover: they cast no shadow, and other light passes them unchanged on its way to "
-            "surfaces.");
+            ": polarization elements act on what the camera sees through them and, without textures, on the "
+            "lights that they cover: they cast no shadow, and other light passes them unchanged on its way "
+            "to surfaces.");
     if (!part.empty()) files.notice(part);
 }
 

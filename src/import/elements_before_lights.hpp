@@ -13,6 +13,7 @@ namespace nicol::scene {
 /// - a spot or a projector if all of its cone or pyramid passes through the element,
 /// - a directional or a point light if all that it may light, the boxes around shapes that are not black,
 ///   lies behind the element, seen from the light.
+/// Elements with textures, and those that the light meets after them, change no light.
 /// The state is that of light along the axis of a spot or a projector, and that of light towards the middle
 /// of these boxes for a point light. scene: complete scene of the description; its elements stay. One notice
 /// says what elements have no effect on; another names the first light of which an element covers only a

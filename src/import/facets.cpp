@@ -115,10 +115,24 @@ void read_indices(Plugin& plugin, double& int_ior, double& ext_ior) {
         plugin.fail("int_ior", "equals ext_ior; they must differ");
 }
 
-FilmParameters read_film(Plugin& plugin) {
-    const double thickness = plugin.number("film_thickness", 0, 0, kThickestFilm);
+FilmDescription read_film(const MaterialSource& source) {
+    Plugin& plugin = source.plugin;
+    const TexturedNumber thickness = read_number(source, "film_thickness", 0, 0, kThickestFilm);
     const double eta = plugin.number("film_eta", 1.5, 0.1, 100);
-    return {.thickness = thickness, .eta = {{eta, -plugin.number("film_k", 0, 0, 100)}}, .wavelengths = {}};
+    FilmDescription out(FilmParameters{.thickness = thickness.value,
+                                       .eta = {{eta, -plugin.number("film_k", 0, 0, 100)}},
+                                       .wavelengths = {}});
+    if (thickness.texture == nullptr) return out;
+    if (thickness.texture->times_colors_of)
+        plugin.fail("film_thickness", "has colours of a mesh; expected an image or a checkerboard",
+                    ErrorCode::unsupported);
+    if (!plugin.has("film_thickness_most"))
+        plugin.fail("film_thickness_most",
+                    "is missing; expected the thickness where the texture is 1, in nm");
+    out.thickness = thickness.texture;
+    out.least = plugin.number("film_thickness_least", 0, 0, kThickestFilm);
+    out.film.thickness = plugin.number("film_thickness_most", 0, 0, kThickestFilm, true);
+    return out;
 }
 
 FacetDescription read_facets(const MaterialSource& source) {

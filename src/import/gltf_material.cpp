@@ -206,8 +206,8 @@ private:
         MaterialDescription bare = blended();
         film_ = iridescence_.film;
         if (auto image = texture(iridescence_.thickness)) {
-            film_thickness_ = as_number(std::move(*image), Part::green, 1 - VaryingFilmModel::kLeast);
-            film_thickness_->offset = glm::dvec3(VaryingFilmModel::kLeast);
+            film_.thickness = shared(as_number(std::move(*image), Part::green, 1));
+            film_.least = iridescence_.least;
         }
         if (!weight) return blended();
         return BlendModel(std::move(bare), blended(), shared(std::move(*weight)));
@@ -267,13 +267,13 @@ private:
         out.set(&P::specular_reflectance, boundary);
         out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
-        if (has_film()) return with_film(CoatedPlasticModel(out, film_));
+        if (film_.present()) return with_facets(CoatedPlasticModel(out, film_));
         return with_facets(std::move(out));
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal(const TexturedColor& color) {
-        if (color.texture && !has_film()) return mirror(color);
+        if (color.texture && !film_.present()) return mirror(color);
         // A film over a perfect mirror has no colours, so that a metal whose colour varies has an index, too.
         const glm::dvec3 reflected = color.texture ? glm::dvec3(kBelowFilm) : color.rgb;
         MetalModel out;
@@ -281,7 +281,7 @@ private:
         out.eta = 1.0;
         out.k = extinction_of(reflected);
         out.film = film_;
-        return with_film(std::move(out));
+        return with_facets(std::move(out));
     }
 
     [[nodiscard]] MaterialDescription mirror(const TexturedColor& color) {
@@ -293,22 +293,6 @@ private:
     template <class Model>
     [[nodiscard]] MaterialDescription with_facets(Model model) {
         return faceted(std::move(model), facets(), strength_);
-    }
-
-    /// Returns whether the parts of the material that are read now have a film.
-    [[nodiscard]] bool has_film() const { return film_.present() || film_thickness_.has_value(); }
-
-    /// Returns with_facets() of a model with a film, whose thickness varies by its texture if there is one.
-    template <class Model>
-    [[nodiscard]] MaterialDescription with_film(Model model) {
-        if (!film_thickness_) return with_facets(std::move(model));
-        return VaryingFilmModel(
-            [model = std::move(model), facets = facets(), strength = strength_](const FilmParameters& film) {
-                Model out = model;
-                out.film = film;
-                return faceted(std::move(out), facets, strength);
-            },
-            film_, iridescence_.least, shared(*film_thickness_));
     }
 
     [[nodiscard]] FacetDescription facets() {
@@ -378,8 +362,7 @@ private:
     GltfTransmission transmission_;           ///< what passes the surface
     GltfIridescence iridescence_;
     GltfClearcoat coat_;
-    FilmParameters film_;  ///< film on the parts of the material that are read now
-    std::optional<TextureSpecification> film_thickness_;  ///< see VaryingFilmModel; none: film_'s own
+    FilmDescription film_;  ///< film on the parts of the material that are read now
     bool has_texcoords_ = false;
 };
 

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "import/gltf_models.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "material/dielectric.hpp"
 #include "material/mixture.hpp"
 #include "material/textured.hpp"
 
 namespace nicol::scene {
-namespace {
-
-// Phase of interference between neighbouring thicknesses of a film that varies, in radians at the shortest
-// wavelength: between them, reflectances err by up to an eighth of its square times their amplitude.
-constexpr double kPhaseStep = 0.8;
-// Most steps of the thickness, because each has a table and a layer of its own.
-constexpr double kMostSteps = 24;
-// Wavelength of the shortest of the colours, nm.
-constexpr double kShortestOfColours = 450;
-
-}  // namespace
-
 MaterialPtr BrushedModel::make(const MaterialMaker& maker) const {
     const auto made = [&](double across, double along) {
         return maker.make(of({.distribution = Distribution::ggx,
@@ -34,22 +19,6 @@ MaterialPtr BrushedModel::make(const MaterialMaker& maker) const {
     if (a.texture) return with_roughness([&](double across) { return made(across, s.value); }, a.texture);
     if (s.texture) return with_roughness([&](double along) { return made(a.value, along); }, s.texture);
     return made(a.value, s.value);
-}
-
-MaterialPtr VaryingFilmModel::make(const MaterialMaker& maker) const {
-    const FilmParameters full = film_in(film, maker.channels);
-    double index = 0;
-    for (const std::complex<double> eta : full.eta) index = std::max(index, eta.real());
-    double shortest = kShortestOfColours;
-    if (!full.wavelengths.empty()) shortest = *std::ranges::min_element(full.wavelengths);
-    const double phase = 4 * std::numbers::pi * index * std::abs(full.thickness - least) / shortest;
-    const double steps = std::clamp(phase / kPhaseStep, 1.0, kMostSteps);
-    const auto made = [&](double t) {
-        FilmParameters thinner = full;
-        thinner.thickness = least + (full.thickness - least) * (t - kLeast) / (1 - kLeast);
-        return maker.make(of(thinner));
-    };
-    return with_number(made, maker.textures.number(*thickness), kLeast, std::pow(1 / kLeast, 1 / steps));
 }
 
 MaterialPtr RotatedModel::make(const MaterialMaker& maker) const {

@@ -50,27 +50,6 @@ template <class Model>
     return model;
 }
 
-/// A material with a film whose thickness varies.
-struct VaryingFilmModel final : MaterialModel {
-    /// Value of the texture where the film is thinnest. The value is 1 where the film is thickest, and the
-    /// thickness is linear between.
-    static constexpr double kLeast = 0.5;
-    using WithFilm = std::function<MaterialDescription(const FilmParameters&)>;
-    VaryingFilmModel(WithFilm model, FilmParameters thickest, double least_thickness,
-                     TextureSpecificationPtr of_thickness)
-        : of(std::move(model)),
-          film(std::move(thickest)),
-          least(least_thickness),
-          thickness(std::move(of_thickness)) {}
-
-    WithFilm of;          ///< the material with this film
-    FilmParameters film;  ///< the film where the texture is 1
-    double least;         ///< thickness where the texture is kLeast, nm
-    TextureSpecificationPtr thickness;
-
-    [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
-};
-
 /// A material whose anisotropic parts are rotated within the surface; see TangentRotation.
 struct RotatedModel final : MaterialModel {
     RotatedModel(MaterialDescription of, TextureSpecificationPtr by, double and_angle)

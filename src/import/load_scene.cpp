@@ -363,8 +363,14 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                 moving.absent = std::move(instance);
         });
     }
-    for (const PolarizationElement& element : description.elements)
-        made(file, "shape", [&] { return out.scene.add_element(element); });
+    for (const ElementDescription& element : description.elements)
+        made(file, "shape", [&] {
+            const auto number = [&](const TextureSpecificationPtr& texture) {
+                return texture ? textures.number(*texture) : nullptr;
+            };
+            return out.scene.add_element(element, {.angle = number(element.angle_texture),
+                                                   .retardance = number(element.retardance_texture)});
+        });
     scene::put_elements_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     if (description.animation) out.animation.emplace(description.animation, std::move(instances));

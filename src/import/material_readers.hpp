@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "import/film_description.hpp"
 #include "import/late_parameters.hpp"
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
@@ -97,8 +98,9 @@ void read_color(const MaterialSource& source, const char* name, LateParameters<P
 /// arguments hold the defaults.
 void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);
 
-/// Reads film_thickness, film_eta and film_k, which are not Mitsuba's.
-[[nodiscard]] FilmParameters read_film(Plugin& plugin);
+/// Reads film_thickness, a number or a texture from film_thickness_least to film_thickness_most, film_eta and
+/// film_k, which are not Mitsuba's.
+[[nodiscard]] FilmDescription read_film(const MaterialSource& source);
 
 /// Reads the facets of an isotropic material: the geometric mean, with a notice, where the roughness differs
 /// by direction.

@@ -19,14 +19,16 @@ void read_base_and_boundary(const MaterialSource& source, LateParameters<P>& out
 }  // namespace
 
 MaterialPtr CoatedPlasticModel::make(const MaterialMaker& maker) const {
-    return coated_pplastic(with(maker), film_in(film, maker.channels));
+    const PplasticParameters plastic = with(maker);
+    return with_film(maker, film,
+                     [&](const FilmParameters& of_point) { return coated_pplastic(plastic, of_point); });
 }
 
 MaterialDescription read_pplastic(const MaterialSource& source) {
     ModelOf<PplasticParameters> model(pplastic);
     read_base_and_boundary(source, model);
     set_facets(read_anisotropic_facets(source), model);
-    const FilmParameters film = read_film(source.plugin);
+    const FilmDescription film = read_film(source);
     if (film.present()) return CoatedPlasticModel(model, film);
     return model;
 }

@@ -10,8 +10,10 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "import/plugin.hpp"
+#include "import/readers.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -105,22 +107,28 @@ bool is_element_material(pugi::xml_node bsdf) {
     return type == "polarizer" || type == "retarder" || type == "circular";
 }
 
-PolarizationElement read_element_material(const XmlDocument& document, pugi::xml_node bsdf) {
+ElementDescription read_element_material(const XmlDocument& document, pugi::xml_node bsdf) {
     using Kind = PolarizationElement::Kind;
     Plugin plugin(document, bsdf);
-    PolarizationElement element;
-    const auto angle = [&](const char* name, double otherwise) {
-        return glm::radians(plugin.uniform(name, otherwise, -kNoLimit, kNoLimit));
+    ElementDescription element;
+    // Reads degrees. A texture of degrees is a factor on one degree.
+    const auto angle = [&](const char* name, double otherwise, TextureSpecificationPtr& texture) {
+        const pugi::xml_node node = plugin.texture(name);
+        if (!node) return glm::radians(plugin.uniform(name, otherwise, -kNoLimit, kNoLimit));
+        texture = read_texture(document, node);
+        if (texture->times_colors_of)
+            plugin.fail(name, "has colours of a mesh; expected an image", ErrorCode::unsupported);
+        return glm::radians(1.0);
     };
     if (plugin.type() == "polarizer") {
         // Mitsuba turns polarizers clockwise, and retarders counter-clockwise.
-        element.angle = -angle("theta", 0.0);
+        element.angle = -angle("theta", 0.0, element.angle_texture);
         if (!plugin.boolean("polarizing", true))
             plugin.fail("polarizing", "is false; expected true", ErrorCode::unsupported);
     } else if (plugin.type() == "retarder") {
         element.kind = Kind::retarder;
-        element.angle = angle("theta", 0.0);
-        element.retardance = angle("delta", 90.0);
+        element.angle = angle("theta", 0.0, element.angle_texture);
+        element.retardance = angle("delta", 90.0, element.retardance_texture);
     } else {
         element.kind = plugin.boolean("left_handed", false) ? Kind::left_circular : Kind::right_circular;
     }
@@ -143,12 +151,13 @@ void PolarizationElements::add(pugi::xml_node place, const ShapeDescription& sha
                        "a " + std::string(type_of(bsdf)) +
                            " on a disk, whose x axis goes round with the angle; expected a rectangle",
                        ErrorCode::unsupported);
-    PolarizationElement element = read_element_material(document_, bsdf);
+    ElementDescription element = read_element_material(document_, bsdf);
+    element.where = document_.where(place);
     element.outline = shape.kind == ShapeDescription::Kind::disk ? PolarizationElement::Outline::disk
                                                                  : PolarizationElement::Outline::rectangle;
     element.to_world = shape.to_world;
     if (shape.flip_normals) element.angle = -element.angle;  // y is the normal cross x
-    elements_.push_back({place, shape, element});
+    elements_.push_back({shape, std::move(element)});
 }
 
 std::vector<ElementDescription> PolarizationElements::put_before_area_lights(
@@ -170,10 +179,12 @@ std::vector<ElementDescription> PolarizationElements::put_before_area_lights(
         if (before.empty()) continue;
         std::ranges::sort(before, {}, &Before::distance);
         std::vector<PlacedElement> placed;
-        for (const auto& [distance, element] : before) {
-            placed.emplace_back(elements_[element].element);
-            used[element] = true;
+        for (const Before& next : before) {
+            if (elements_[next.element].element.textured()) break;
+            placed.emplace_back(elements_[next.element].element);
+            used[next.element] = true;
         }
+        if (placed.empty()) continue;
         const LightBehindElements light =
             behind(placed, shape.emission->state, area_light.frame(), glm::dmat3(shape.to_world));
         shape.emission->scale *= light.brightness;
@@ -181,7 +192,7 @@ std::vector<ElementDescription> PolarizationElements::put_before_area_lights(
     }
     std::vector<ElementDescription> others;
     for (std::size_t i = 0; i < elements.size(); ++i)
-        if (!used[i]) others.push_back({elements_[i].element, document_.where(elements_[i].place)});
+        if (!used[i]) others.push_back(elements_[i].element);
     return others;
 }
 

@@ -33,13 +33,14 @@ struct LightBehindElements {
 
 /// Reads an element, except its outline and its place, from a <bsdf> for which is_element_material() is true.
 /// Throws what read_mitsuba_scene throws.
-[[nodiscard]] PolarizationElement read_element_material(const XmlDocument& document, pugi::xml_node bsdf);
+[[nodiscard]] ElementDescription read_element_material(const XmlDocument& document, pugi::xml_node bsdf);
 
 /// Elements of one scene. An area light here is a rectangle or disk that emits light from one side. An
 /// element stands before an area light if
 /// - both are parallel within 0.1 degrees,
 /// - the element is on the side that emits light, nearer than a tenth of the smaller half side, and
 /// - the whole area light, moved along its normal, lies on the element.
+/// An element with textures stands before the camera, and so do elements farther from the light.
 class PolarizationElements {
 public:
     explicit PolarizationElements(const XmlDocument& document) : document_(document) {}
@@ -58,9 +59,8 @@ public:
 
 private:
     struct Element {
-        pugi::xml_node place;
         ShapeDescription shape;
-        PolarizationElement element;
+        ElementDescription element;
     };
     const XmlDocument& document_;
     std::vector<Element> elements_;

@@ -119,9 +119,15 @@ struct LightDescription {
     TextureSpecificationPtr texture;  ///< spot, projector, whose rectangle has its shape; null: none
 };
 
-/// An element that does not stand directly before an area light.
+/// A polarization element.
 struct ElementDescription : PolarizationElement {
     std::string where;  ///< file and line
+    /// Factors on the angle and on the retardance, see ElementTextures. Null: 1.
+    TextureSpecificationPtr angle_texture = nullptr, retardance_texture = nullptr;
+
+    [[nodiscard]] bool textured() const noexcept {
+        return angle_texture != nullptr || retardance_texture != nullptr;
+    }
 };
 
 /// The parameters of an integrator that have an effect.
@@ -146,7 +152,7 @@ struct SceneDescription {
     std::vector<ShapeDescription> shapes;
     std::optional<EnvironmentDescription> environment;
     std::vector<LightDescription> lights;
-    std::vector<ElementDescription> elements;
+    std::vector<ElementDescription> elements;  ///< those that do not stand directly before an area light
     std::shared_ptr<const SceneAnimation> animation;  ///< null: nothing moves
     std::vector<FileRecord> files;                    ///< the scene file and those that it includes
     std::vector<std::string> notices;                 ///< what was read and not followed, one sentence each

@@ -13,7 +13,7 @@ namespace nicol {
 namespace {
 
 /// Returns the Mueller matrix in the frame whose x is a polarizer's absorbing axis or a retarder's fast axis.
-Mueller along_axis(const PolarizationElement& element, double cosine) {
+Mueller along_axis(const PolarizationElement& element, double retardance) {
     using Kind = PolarizationElement::Kind;
     const double t = element.transmittance;
     const double h = 0.5 * t;
@@ -21,8 +21,8 @@ Mueller along_axis(const PolarizationElement& element, double cosine) {
         case Kind::polarizer:
             return Mueller({h, -h, 0, 0, -h, h, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
         case Kind::retarder: {
-            const double c = t * std::cos(element.retardance * cosine);
-            const double s = t * std::sin(element.retardance * cosine);
+            const double c = t * std::cos(retardance);
+            const double s = t * std::sin(retardance);
             return Mueller({t, 0, 0, 0, 0, t, 0, 0, 0, 0, c, s, 0, 0, -s, c});
         }
         case Kind::right_circular:
@@ -51,12 +51,17 @@ PlacedElement::PlacedElement(const PolarizationElement& element, const glm::dmat
     normal_ = glm::normalize(glm::transpose(glm::inverse(axes))[2]);
     const Frame frame = frame_with_x(normal_, axes[0]);
     const bool absorbs = element.kind == PolarizationElement::Kind::polarizer;
-    const double angle = element.angle + (absorbs ? std::numbers::pi / 2 : 0);
-    axis_ = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
+    x_ = absorbs ? frame[1] : frame[0];
+    y_ = absorbs ? -frame[0] : frame[1];
     to_local_ = glm::inverse(glm::dmat3(axes[0], axes[1], normal_));
 }
 
-std::optional<double> PlacedElement::distance(const glm::dvec3& origin, const glm::dvec3& direction) const {
+glm::dvec3 PlacedElement::axis(double angle) const {
+    return std::cos(angle) * x_ + std::sin(angle) * y_;
+}
+
+std::optional<ElementCrossing> PlacedElement::crossing(const glm::dvec3& origin,
+                                                       const glm::dvec3& direction) const {
     const glm::dvec3 from = to_local_ * (origin - center_);
     const glm::dvec3 step = to_local_ * direction;
     if (step.z == 0) return std::nullopt;
@@ -66,15 +71,14 @@ std::optional<double> PlacedElement::distance(const glm::dvec3& origin, const gl
     const bool round = element_.outline == PolarizationElement::Outline::disk;
     const double out = round ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y));
     if (!(out <= 1)) return std::nullopt;
-    return distance;
+    return ElementCrossing{distance, {x, y}};
 }
 
-Mueller PlacedElement::mueller(const Frame& received) const {
-    const double along_x = glm::dot(axis_, received[0]);
-    const double along_y = glm::dot(axis_, received[1]);
-    const double angle = std::atan2(along_y, along_x);
+Mueller PlacedElement::mueller(const Frame& received, double angle, double retardance) const {
+    const glm::dvec3 along = axis(angle);
+    const double turn = std::atan2(glm::dot(along, received[1]), glm::dot(along, received[0]));
     const double cosine = std::abs(glm::dot(normal_, received[2]));
-    return in_rotated_frames(along_axis(element_, cosine), -angle, -angle);
+    return in_rotated_frames(along_axis(element_, retardance * cosine), -turn, -turn);
 }
 
 }  // namespace nicol

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 #include <optional>
 
@@ -33,6 +34,12 @@ struct PolarizationElement {
 /// Throws Error(invalid_argument) that names the member that is out of range. Does not check to_world.
 void check(const PolarizationElement& element);
 
+/// Point where a line meets an element.
+struct ElementCrossing {
+    double distance;   ///< in multiples of the line's direction
+    glm::dvec2 place;  ///< x and y in the element's local coordinates
+};
+
 /// Polarization element in other coordinates, such as the world's. The frame of the element: z is the normal,
 /// x the image of the element's local x, and y = z cross x.
 class PlacedElement {
@@ -41,14 +48,18 @@ public:
     explicit PlacedElement(const PolarizationElement& element,
                            const glm::dmat4& from_world = glm::dmat4(1.0));
 
-    /// Returns the distance along a line from `origin` to the element, in multiples of `direction`; nothing
-    /// if the line misses the element.
-    [[nodiscard]] std::optional<double> distance(const glm::dvec3& origin, const glm::dvec3& direction) const;
+    /// Returns where a line from `origin` meets the element; nothing if the line misses the element.
+    [[nodiscard]] std::optional<ElementCrossing> crossing(const glm::dvec3& origin,
+                                                          const glm::dvec3& direction) const;
 
     /// Returns the Mueller matrix for light in a frame whose z is the light's unit propagation. Oblique
     /// incidence follows Mitsuba 3: the effective axis is the component of axis() perpendicular to the ray,
     /// and the retardance is proportional to the cosine of incidence.
-    [[nodiscard]] Mueller mueller(const Frame& received) const;
+    [[nodiscard]] Mueller mueller(const Frame& received) const {
+        return mueller(received, element_.angle, element_.retardance);
+    }
+    /// Returns the Mueller matrix that the element would have with this angle and retardance.
+    [[nodiscard]] Mueller mueller(const Frame& received, double angle, double retardance) const;
 
     [[nodiscard]] const PolarizationElement& element() const noexcept { return element_; }
     [[nodiscard]] const glm::dvec3& center() const noexcept { return center_; }
@@ -57,13 +68,15 @@ public:
     /// coordinates and z is the height above the element.
     [[nodiscard]] const glm::dmat3& to_local() const noexcept { return to_local_; }
     /// Returns a unit vector in the element's plane: a polarizer's absorbing axis or a retarder's fast axis.
-    [[nodiscard]] const glm::dvec3& axis() const noexcept { return axis_; }
+    [[nodiscard]] glm::dvec3 axis() const { return axis(element_.angle); }
+    /// Returns the axis that the element would have with this angle.
+    [[nodiscard]] glm::dvec3 axis(double angle) const;
 
 private:
     PolarizationElement element_;
     glm::dvec3 center_;
     glm::dvec3 normal_;
-    glm::dvec3 axis_;
+    glm::dvec3 x_, y_;  // axes from which the angle of axis() is counted
     glm::dmat3 to_local_;
 };
 

@@ -113,9 +113,14 @@ bool PathTracer::add(const Ray& ray, const Frame& received, const LowDiscrepancy
 // Begins a path with the polarization elements that the camera sees through along a ray.
 void PathTracer::begin(const Ray& ray, const Frame& received, std::size_t channels,
                        PathWorkspace& workspace) const {
-    Mueller elements = frame_rotation(0);
-    if (!scene_.elements().empty()) elements = scene_.elements().mueller(ray, received).value_or(elements);
-    workspace.throughput.assign(channels, elements);
+    const ElementsOnRay& elements = scene_.elements();
+    const auto of_channel = [&](int channel) {
+        if (elements.empty()) return frame_rotation(0);
+        return elements.mueller(ray, received, channel).value_or(frame_rotation(0));
+    };
+    workspace.throughput.assign(channels, of_channel(0));
+    if (elements.colored())
+        for (std::size_t c = 1; c < channels; ++c) workspace.throughput[c] = of_channel(static_cast<int>(c));
     workspace.scattering.resize(channels);
     workspace.incident.resize(channels);
     workspace.irradiance.resize(channels);

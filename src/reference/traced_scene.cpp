@@ -12,26 +12,41 @@
 
 namespace nicol {
 
-ElementsOnRay::ElementsOnRay(std::span<const PolarizationElement> elements, const glm::dmat4& from_world) {
-    for (const PolarizationElement& element : elements) elements_.emplace_back(element, from_world);
+ElementsOnRay::ElementsOnRay(std::span<const SceneElement> elements, const glm::dmat4& from_world) {
+    elements_.reserve(elements.size());
+    for (const SceneElement& element : elements) {
+        elements_.push_back({PlacedElement(element, from_world), element.textures});
+        colored_ = colored_ || element.channels() > 1;
+    }
 }
 
-std::optional<Mueller> ElementsOnRay::mueller(const Ray& ray, const Frame& received) const {
+Mueller ElementsOnRay::Element::mueller(const Frame& received, const glm::dvec2& place, int channel) const {
+    const TexturePoint point{.uv = glm::vec2((1.0 + place) / 2.0)};
+    const auto factor = [&](const TexturePtr& texture, int of_channel) {
+        return texture == nullptr ? 1.0 : static_cast<double>(texture->at(point)[of_channel]);
+    };
+    const PolarizationElement& numbers = placed.element();
+    return placed.mueller(received, numbers.angle * factor(textures.angle, 0),
+                          numbers.retardance * factor(textures.retardance, std::min(channel, 2)));
+}
+
+std::optional<Mueller> ElementsOnRay::mueller(const Ray& ray, const Frame& received, int channel) const {
     struct Passed {
-        double distance;
-        const PlacedElement* element;
+        ElementCrossing at;
+        const Element* element;
     };
     std::vector<Passed> passed;
-    for (const PlacedElement& element : elements_) {
-        const std::optional<double> distance = element.distance(ray.origin, ray.direction);
-        if (distance && *distance >= ray.nearest && *distance < ray.farthest)
-            passed.push_back({*distance, &element});
+    passed.reserve(elements_.size());
+    for (const Element& element : elements_) {
+        const std::optional<ElementCrossing> at = element.placed.crossing(ray.origin, ray.direction);
+        if (at && at->distance >= ray.nearest && at->distance < ray.farthest)
+            passed.push_back({*at, &element});
     }
     if (passed.empty()) return std::nullopt;
-    std::ranges::sort(passed, {}, &Passed::distance);
-    Mueller product = passed.front().element->mueller(received);
-    for (const Passed& next : std::span(passed).subspan(1))
-        product = product * next.element->mueller(received);
+    std::ranges::sort(passed, {}, [](const Passed& one) { return one.at.distance; });
+    const auto of = [&](const Passed& one) { return one.element->mueller(received, one.at.place, channel); };
+    Mueller product = of(passed.front());
+    for (const Passed& next : std::span(passed).subspan(1)) product = product * of(next);
     return product;
 }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
-#include "polarization/element.hpp"
 #include "reference/surface_sampler.hpp"
 #include "reference/traced_surface.hpp"
 #include "scene/scene.hpp"
@@ -23,18 +22,26 @@ class ElementsOnRay {
 public:
     ElementsOnRay() = default;
     /// elements: polarization elements in the world. from_world: transform to the rays' coordinates.
-    explicit ElementsOnRay(std::span<const PolarizationElement> elements,
+    explicit ElementsOnRay(std::span<const SceneElement> elements,
                            const glm::dmat4& from_world = glm::dmat4(1.0));
 
     [[nodiscard]] bool empty() const noexcept { return elements_.empty(); }
+    /// Returns whether the matrices differ between colour channels.
+    [[nodiscard]] bool colored() const noexcept { return colored_; }
 
     /// Returns the product of the Mueller matrices of the elements between ray.nearest and ray.farthest, the
     /// nearest to the ray's origin acting last, for light in the frame `received`, whose z is -ray.direction.
     /// None if there are no elements.
-    [[nodiscard]] std::optional<Mueller> mueller(const Ray& ray, const Frame& received) const;
+    [[nodiscard]] std::optional<Mueller> mueller(const Ray& ray, const Frame& received, int channel) const;
 
 private:
-    std::vector<PlacedElement> elements_;
+    struct Element {
+        PlacedElement placed;
+        ElementTextures textures;
+        [[nodiscard]] Mueller mueller(const Frame& received, const glm::dvec2& place, int channel) const;
+    };
+    std::vector<Element> elements_;
+    bool colored_ = false;
 };
 
 /// Surfaces of a scene. Immutable; threads share it. The scene must not change during the object's lifetime.

@@ -212,7 +212,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     }
     bytes += planes * texel + depth;  // spare, which the image is drawn into
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
-           scene.elements().size() * ElementPainter::kBytesPerElement;
+           ElementPainter::bytes(scene);
 }
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {

@@ -28,6 +28,21 @@ void check_transform(const glm::dmat4& m) {
     if (!std::isfinite(determinant) || determinant == 0) refuse("to_world cannot be inverted");
 }
 
+void check_element(const SceneElement& element) {
+    check(element);
+    check_transform(element.to_world);
+    const ElementTextures& textures = element.textures;
+    const auto check_texture = [](const TexturePtr& texture, const char* name) {
+        if (texture != nullptr &&
+            (needs_colors(*texture) || texture->describe().kind == TextureDescription::Kind::product))
+            refuse(std::string(name) + " of an element has the colours of a mesh; give an image");
+    };
+    check_texture(textures.angle, "the texture of the angle");
+    check_texture(textures.retardance, "the texture of the retardance");
+    if (textures.retardance != nullptr && textures.retardance->channels() == 4)
+        refuse("the texture of the retardance of an element has 4 channels; it must have 1 or 3");
+}
+
 void check_channels(const char* part, int channels, int others) {
     if (channels == 1 || others == 1 || channels == others) return;
     refuse("the " + std::string(part) + " has " + std::to_string(channels) +
@@ -224,26 +239,36 @@ void Scene::hide_emitters(bool hide) {
     emission_version_ = new_version();
 }
 
-std::uint32_t Scene::add_element(const PolarizationElement& element) {
+std::uint32_t Scene::add_element(const PolarizationElement& element, ElementTextures textures) {
     const std::uint32_t id = elements_.next();
-    check(element);
-    check_transform(element.to_world);
-    elements_.add(element);
+    SceneElement added(element, std::move(textures));
+    check_element(added);
+    const int channels = added.channels();
+    check_channels("element", channels, channels_.largest());
+    channels_.make_room(channels);
+    elements_.add(std::move(added));
+    channels_.add(channels);
     element_version_ = new_version();
     return id;
 }
 
 void Scene::remove_element(std::uint32_t id) {
+    channels_.remove(element(id).channels());
     elements_.remove(id);
     element_version_ = new_version();
 }
 
-void Scene::set_element(std::uint32_t id, const PolarizationElement& element) {
-    PolarizationElement& changed = elements_[elements_.index_of(id)];
-    check(element);
-    check_transform(element.to_world);
-    if (changed == element) return;
-    changed = element;
+void Scene::set_element(std::uint32_t id, const PolarizationElement& element, ElementTextures textures) {
+    SceneElement& changed = elements_[elements_.index_of(id)];
+    SceneElement given(element, std::move(textures));
+    check_element(given);
+    const int before = changed.channels();
+    check_channels("element", given.channels(), channels_.largest_without(before));
+    if (changed == given) return;
+    channels_.make_room(given.channels());
+    channels_.add(given.channels());
+    channels_.remove(before);
+    changed = std::move(given);
     element_version_ = new_version();
 }
 

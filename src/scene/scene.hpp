@@ -18,7 +18,7 @@
 #include "light/environment.hpp"
 #include "light/local_light.hpp"
 #include "material/material.hpp"
-#include "polarization/element.hpp"
+#include "scene/scene_element.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -155,15 +155,14 @@ public:
 
     /// Polarization elements, through which the camera sees the surfaces behind them. Elements cast no
     /// shadow, and light that surfaces receive does not pass through them. The functions throw what check()
-    /// throws, and Error(invalid_argument) for unknown ids and for a transform that is not affine and
-    /// invertible.
-    std::uint32_t add_element(const PolarizationElement& element);
+    /// throws, and Error(invalid_argument) for unknown ids, for a transform that is not affine and
+    /// invertible, for textures with colours of a mesh, and for channels of a retardance that do not fit the
+    /// scene's.
+    std::uint32_t add_element(const PolarizationElement& element, ElementTextures textures = {});
     void remove_element(std::uint32_t id);
-    void set_element(std::uint32_t id, const PolarizationElement& element);
-    [[nodiscard]] const PolarizationElement& element(std::uint32_t id) const { return elements_.at(id); }
-    [[nodiscard]] const std::vector<PolarizationElement>& elements() const noexcept {
-        return elements_.values();
-    }
+    void set_element(std::uint32_t id, const PolarizationElement& element, ElementTextures textures = {});
+    [[nodiscard]] const SceneElement& element(std::uint32_t id) const { return elements_.at(id); }
+    [[nodiscard]] const std::vector<SceneElement>& elements() const noexcept { return elements_.values(); }
     /// Returns the ids of elements(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& element_ids() const noexcept { return elements_.ids(); }
 
@@ -212,7 +211,7 @@ private:
     ChannelCounts channels_;
     Numbered<Instance> instances_{"instance"};
     Numbered<LocalLight> lights_{"light"};
-    Numbered<PolarizationElement> elements_{"element"};
+    Numbered<SceneElement> elements_{"element"};
     EnvironmentPtr environment_;
     EnvironmentPtr distant_light_;
     glm::dmat3 rotation_{1.0};

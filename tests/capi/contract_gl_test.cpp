@@ -38,6 +38,8 @@ const std::set<std::string> optional = {
     "nicol_scene_get_light.texture",
     "nicol_scene_get_light_ids.ids",
     "nicol_scene_add_polarization_element.id",
+    "nicol_scene_get_polarization_element_textures.angle",
+    "nicol_scene_get_polarization_element_textures.retardance",
     "nicol_scene_get_polarization_element_ids.ids",
     "nicol_scene_set_emission.emission",
     "nicol_scene_get_emission.texture",

@@ -62,6 +62,40 @@ STAGE_TEST_CASE("an element is what it was given as, and may be given again") {
     OK(nicol_scene_add_polarization_element(stage.scene, &retarder, nullptr));
 }
 
+STAGE_TEST_CASE("textures of an element are told as handles, and outlive those that were given") {
+    const nicol_spectrum two = spectrum({2}), three = spectrum({1, 2, 3});
+    nicol_texture angle = make(nicol_texture_create_checkerboard, stage.context, &two, &two, nullptr);
+    nicol_texture retardance =
+        make(nicol_texture_create_checkerboard, stage.context, &three, &three, nullptr);
+    nicol_polarization_element sheet = before_camera(NICOL_POLARIZATION_ELEMENT_RETARDER, 10, 1);
+    sheet.angle_texture = angle;
+    sheet.retardance_texture = retardance;
+    const std::uint32_t id = add_element(stage.scene, sheet);
+    for (const nicol_texture given : {angle, retardance}) OK(nicol_texture_release(given));
+    nicol_polarization_element told = NICOL_POLARIZATION_ELEMENT_INIT;
+    OK(nicol_scene_get_polarization_element(stage.scene, id, &told));
+    check_same(told, sheet);
+    CHECK(told.angle_texture == nullptr);
+    OK(nicol_scene_get_polarization_element_textures(stage.scene, id, &told.angle_texture,
+                                                     &told.retardance_texture));
+    REQUIRE(told.angle_texture != nullptr);
+    OK(nicol_scene_set_polarization_element(stage.scene, id, &told));
+    for (const nicol_texture again : {told.angle_texture, told.retardance_texture})
+        OK(nicol_texture_release(again));
+    nicol_texture none = told.angle_texture;
+    OK(nicol_scene_get_polarization_element_textures(stage.scene, add_element(stage.scene), &none, nullptr));
+    CHECK(none == nullptr);
+
+    nicol_texture colors = make(nicol_texture_create_vertex_colors, stage.context);
+    sheet.angle_texture = nullptr;
+    sheet.retardance_texture = colors;
+    REFUSES(nicol_scene_add_polarization_element(stage.scene, &sheet, nullptr), "the colours of a mesh");
+    nicol_sensor sensor = NICOL_SENSOR_INIT;
+    std::ranges::copy(nicol_polarization_element(NICOL_POLARIZATION_ELEMENT_INIT).to_world, sheet.to_world);
+    REFUSES(nicol_sensor_add_element(&sensor, &sheet, 0), "a sensor's element has a texture");
+    OK(nicol_texture_release(colors));
+}
+
 STAGE_TEST_CASE("ids of removed elements are not given again") {
     for (std::uint32_t id = 0; id < 3; ++id) CHECK(add_element(stage.scene) == id);
     OK(nicol_scene_remove_polarization_element(stage.scene, 1));

@@ -129,6 +129,43 @@ CONTEXT_TEST_CASE("a film makes colours on metal and plastic, and none if its th
     CHECK(std::string(nicol_last_error()).find("film_thickness") != std::string::npos);
 }
 
+CONTEXT_TEST_CASE("a texture varies the thickness of a film") {
+    const auto even = [&](float factor) {
+        const nicol_spectrum of_texture = spectrum({factor});
+        return Owned(make(nicol_texture_create_checkerboard, context, &of_texture, &of_texture, nullptr));
+    };
+    nicol_conductor steel = NICOL_CONDUCTOR_INIT;
+    steel.alpha = 0.3F;
+    steel.metal = "Cr";
+    steel.film.eta = 2.4F;
+    steel.film.thickness = 130;
+    const std::vector<float> wanted = conductor(context, steel);
+    const Owned quarter = even(0.25F);
+    steel.film_thickness_texture = quarter;
+    steel.film_thickness_least = 90;
+    steel.film.thickness = 250;
+    CHECK(same(conductor(context, steel), wanted, 1e-4));
+
+    nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+    const auto plastic_in_middle = [&] {
+        return middle_of(context, Owned(make(nicol_material_create_pplastic, context, &plastic)));
+    };
+    plastic.film.eta = 2.4F;
+    plastic.film.thickness = 50;
+    const std::vector<float> thin = plastic_in_middle();
+    plastic.film_thickness_texture = quarter;
+    plastic.film.thickness = 200;
+    CHECK(same(plastic_in_middle(), thin, 1e-4));
+
+    nicol_material refused = nullptr;
+    steel.film_thickness_least = -1;
+    CHECK(nicol_material_create_conductor(context, &steel, &refused) == NICOL_ERROR_INVALID_ARGUMENT);
+    CHECK(std::string(nicol_last_error()).find("least film_thickness") != std::string::npos);
+    const Owned colors(make(nicol_texture_create_vertex_colors, context));
+    plastic.film_thickness_texture = colors;
+    CHECK(nicol_material_create_pplastic(context, &plastic, &refused) == NICOL_ERROR_UNSUPPORTED);
+}
+
 CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured deeper if nonlinear") {
     const auto plastic = [&](const nicol_plastic& parameters) {
         return middle_of(context, Owned(make(nicol_material_create_plastic, context, &parameters)));

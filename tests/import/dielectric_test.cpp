@@ -5,6 +5,7 @@
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "material/material.hpp"
+#include "material/matrix_at.hpp"
 #include "material/mixture.hpp"
 
 using namespace nicol;
@@ -198,6 +199,55 @@ TEST_CASE("films of metals, glass and pplastic colour what they reflect") {
     refused("<bsdf type='dielectric'>" + air + "</bsdf>", ErrorCode::invalid_file, 2, {"must differ"});
     refused("<bsdf type='conductor'><float name='film_thickness' value='-1'/></bsdf>",
             ErrorCode::invalid_file, 2, {"film_thickness"});
+}
+
+TEST_CASE("films of metals and pplastic vary by a texture of their thickness") {
+    const std::string ends =
+        "<float name='film_thickness_least' value='100'/><float name='film_thickness_most' value='500'/>";
+    const auto made = [](const std::string& type, const std::string& film) {
+        const std::string bsdf =
+            "<bsdf type='" + type + "'>" + film + "<float name='film_eta' value='2.2'/></bsdf>";
+        return load_scene(SceneFile(::scene(shape_with(bsdf) + once)).scene(), {})
+            .scene.instances()
+            .front()
+            .material;
+    };
+    const auto board = [](double first, double second) {
+        return "<texture type='checkerboard' name='film_thickness'><float name='color1' value='" +
+               std::to_string(first) + "'/><float name='color0' value='" + std::to_string(second) +
+               "'/></texture>";
+    };
+    const glm::dvec3 light = glm::normalize(glm::dvec3(0.5, 0, 0.8)), viewer(-light.x, 0, light.z);
+    for (const char* const type : {"conductor", "roughconductor", "pplastic"}) {
+        CAPTURE(type);
+        const MaterialPtr varying = made(type, board(0.25, 1) + ends);
+        REQUIRE(varying->variation() != nullptr);
+        const struct {
+            float u;
+            const char* thickness;
+        } squares[] = {{0.1F, "200"}, {0.6F, "500"}};
+        for (const auto& [u, thickness] : squares) {
+            const MaterialPtr even =
+                made(type, std::string("<float name='film_thickness' value='") + thickness + "'/>");
+            for (int c = 0; c < 3; ++c)
+                CHECK(test::matrix_at(*varying, c, {u, 0.1F}, light, viewer)(0, 0) ==
+                      doctest::Approx(evaluate(*even, c, light, viewer)(0, 0)).epsilon(1e-5));
+        }
+    }
+    refused("<bsdf type='pplastic'>" + board(0, 1) + "</bsdf>", ErrorCode::invalid_file, 2,
+            {"film_thickness_most", "is missing"});
+    refused(
+        "<bsdf type='pplastic'>" + board(0, 1) + "<float name='film_thickness_most' value='10001'/></bsdf>",
+        ErrorCode::invalid_file, 2, {"film_thickness_most", "10000"});
+    refused("<bsdf type='pplastic'><float name='film_thickness' value='100'/>" + ends + "</bsdf>",
+            ErrorCode::invalid_file, 2, {"film_thickness_"});
+    refused(
+        "<bsdf type='conductor'><texture type='mesh_attribute' name='film_thickness'><string name='name' "
+        "value='vertex_color'/></texture>" +
+            ends + "</bsdf>",
+        ErrorCode::unsupported, 2, {"film_thickness", "colours of a mesh"});
+    refused("<bsdf type='dielectric'>" + board(0, 1) + ends + "</bsdf>", ErrorCode::unsupported, 2,
+            {"film_thickness", "one thickness"});
 }
 
 TEST_CASE("glass that no method follows is refused") {

@@ -300,6 +300,48 @@ TEST_CASE("angles are numbers in any form that has one value") {
     }
 }
 
+TEST_CASE("angles and retardances are textures of degrees, which Mitsuba's parameters mean") {
+    const auto board = [](const char* name, double first, double second) {
+        return "<texture name='" + std::string(name) + "' type='checkerboard'>" + number("color1", first) +
+               number("color0", second) + "</texture>";
+    };
+    const SceneFile file(scene(
+        a_sensor + a_shape +
+        element("<bsdf type='retarder'>" + board("theta", 30, 140) + board("delta", 90, 450) + "</bsdf>", 2) +
+        element("<bsdf type='polarizer'>" + board("theta", 10, 20) + "</bsdf>", 3, "", flipped)));
+    const Scene loaded = load_scene(file.scene(), {}).scene;
+    REQUIRE(loaded.elements().size() == 2);
+    const auto at = [](const TexturePtr& texture, float u) {
+        REQUIRE(texture != nullptr);
+        return static_cast<double>(texture->at({.uv = {u, 0.1F}}).x);
+    };
+    const SceneElement& sheet = loaded.elements()[0];
+    CHECK(sheet.angle * at(sheet.textures.angle, 0.1F) == doctest::Approx(glm::radians(30.0)));
+    CHECK(sheet.angle * at(sheet.textures.angle, 0.6F) == doctest::Approx(glm::radians(140.0)));
+    CHECK(sheet.retardance * at(sheet.textures.retardance, 0.1F) == doctest::Approx(glm::radians(90.0)));
+    CHECK(sheet.retardance * at(sheet.textures.retardance, 0.6F) == doctest::Approx(glm::radians(450.0)));
+    // Mitsuba turns polarizers clockwise, and flipping normals turns them back.
+    const SceneElement& analyser = loaded.elements()[1];
+    CHECK(analyser.angle * at(analyser.textures.angle, 0.6F) == doctest::Approx(glm::radians(20.0)));
+    CHECK(analyser.textures.retardance == nullptr);
+}
+
+TEST_CASE("an element with textures, and what light meets after it, stands before the camera") {
+    const std::string sheet = "<bsdf type='retarder'><texture name='delta' type='checkerboard'/></bsdf>";
+    const SceneDescription scene = read(a_sensor + lamp() + element(polarizer(0), 0.01) +
+                                        element(sheet, 0.02) + element(polarizer(90), 0.03));
+    CHECK(scene.shapes.at(0).emission->state.dolp == doctest::Approx(1));
+    CHECK(scene.shapes.at(0).emission->scale == doctest::Approx(0.5));
+    REQUIRE(scene.elements.size() == 2);
+    CHECK(scene.elements[0].textured());
+    CHECK(scene.elements[1].kind == PolarizationElement::Kind::polarizer);
+    // Nothing changes the lamp if the light meets the sheet first.
+    const SceneDescription alone =
+        read(a_sensor + lamp() + element(sheet, 0.01) + element(polarizer(0), 0.02));
+    CHECK(alone.shapes.at(0).emission->scale == 1);
+    CHECK(alone.elements.size() == 2);
+}
+
 TEST_CASE("elements that cannot be are refused by name") {
     const auto bad = [](const std::string& bsdf, const std::vector<std::string>& parts,
                         ErrorCode code = unsupported) {
@@ -310,8 +352,12 @@ TEST_CASE("elements that cannot be are refused by name") {
     bad(polarizer(0, "<rgb name='transmittance' value='1 0.5 1'/>"), {"\"transmittance\" is coloured"});
     bad(polarizer(0, "<spectrum name='transmittance' value='400:1, 700:0.5'/>"), {"is coloured"});
     bad(polarizer(0, "<float name='transmittance' value='1.1'/>"), {"\"transmittance\"", "0 to 1"}, invalid);
-    bad("<bsdf type='polarizer'><texture name='theta' type='checkerboard'/></bsdf>",
-        {"\"theta\" is a texture"});
+    const std::string of_mesh = "type='mesh_attribute'><string name='name' value='vertex_color'/></texture>";
+    bad("<bsdf type='polarizer'><texture name='theta' " + of_mesh + "</bsdf>",
+        {"\"theta\" has colours of a mesh; expected an image"});
+    bad("<bsdf type='retarder'><texture name='delta' " + of_mesh + "</bsdf>", {"\"delta\" has colours"});
+    bad("<bsdf type='circular'><texture name='transmittance' type='checkerboard'/></bsdf>",
+        {"\"transmittance\" is a texture"});
     bad("<bsdf type='polarizer'><rgb name='theta' value='10 20 30'/></bsdf>",
         {"\"theta\" is coloured; expected one value"});
     bad("<bsdf type='retarder'><spectrum name='delta' value='400:10, 700:20'/></bsdf>",

@@ -192,6 +192,40 @@ GLASSES = {
 GLASS_DEPTH = 12
 
 
+def map_of(name):
+    return f'''<texture name="{name}" type="bitmap"><string name="filename" value="{{folder}}/{name}.exr"/><boolean name="raw" value="true"/>
+        <string name="wrap_mode" value="clamp"/></texture>'''
+
+
+def flat(bsdf, z, size, first=""):
+    return f'''<shape type="rectangle"><transform name="to_world"><scale x="{size}" y="{0.8 * size}"/>{first}<translate z="{z}"/></transform>{bsdf}</shape>'''
+
+
+# A lamp behind a polarizer, a stressed sheet and two analysers, one of which varies. The camera is far away, because Mitsuba turns the axes of
+# tilted retarders.
+STRESSED = f'''<scene version="3.0.0">
+  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="9"/></integrator></integrator>
+  <sensor type="perspective">
+    <float name="fov" value="0.6"/>
+    <transform name="to_world"><lookat origin="0,0,200" target="0,0,0" up="0,1,0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="48"/><integer name="height" value="40"/><rfilter type="box"/></film>
+  </sensor>
+  {flat('<emitter type="area"><float name="radiance" value="3"/></emitter>', -2, 4)}
+  {flat('<bsdf type="polarizer"><float name="theta" value="10"/></bsdf>', -1, 5)}
+  {flat(f'<bsdf type="retarder">{map_of("theta")}{map_of("delta")}</bsdf>', 0, 0.9, '<rotate z="1" angle="15"/>')}
+  {flat('<bsdf type="polarizer"><float name="theta" value="70"/></bsdf>', 1, 0.8)}
+  {flat(f'<bsdf type="polarizer">{map_of("theta")}</bsdf>', 0.5, 0.3, '<translate x="0.7" y="0.5"/>')}
+</scene>
+'''
+
+
+def write_maps(folder):
+    """Writes degrees of a sheet's axis and of its retardance as EXR files."""
+    y, x = numpy.mgrid[:20, :30]
+    for name, degrees in {"theta": 50 * numpy.sin(x / 9) + 40 * numpy.cos(y / 6), "delta": 20 * numpy.hypot(x - 9, y - 12)}.items():
+        peer.mitsuba.Bitmap(degrees.astype("f4")[..., None]).write(str(folder / f"{name}.exr"))
+
+
 def write_text(folder, text):
     write_measured(folder / "measured.pbsdf")
     (folder / "scene.xml").write_text(text.replace("{folder}", str(folder)))
@@ -298,6 +332,17 @@ class MitsubaTest(unittest.TestCase):
                 self.check_close(ours, truth, limits)
                 with self.assertRaisesRegex(nicol.Error, r"glass that light passes.*set method to factored or reference"):
                     stokes_images.nicol_image(scene, method=nicol.METHOD_DENSE)
+
+    def test_stressed_sheet(self):
+        """Textures of a retarder's axis and retardance, and of a polarizer's axis. Pixels show both sides of edges, hence the limits by default."""
+        write_maps(self.folder)
+        scene = write_text(self.folder, STRESSED)
+        truth = mitsuba_images(scene)
+        for name, options, limit in (("reference", METHODS["reference"][0], 0.004), ("factored", {"pixel_samples": 64}, 0.006)):
+            with self.subTest(method=name):
+                print("stressed sheet,", name, end=":")
+                seeds = (1, 2) if name == "reference" else (1, 1)
+                self.check([stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.full(4, limit))
 
     def test_angles(self):
         """The AoLP agrees modulo 180 degrees wherever light is polarized."""

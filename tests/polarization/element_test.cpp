@@ -136,12 +136,15 @@ TEST_CASE("where a line meets an element") {
     for (const auto& row : rows) {
         CAPTURE(row.place.x);
         const PlacedElement placed({.outline = row.outline, .to_world = at});
-        const std::optional<double> met = placed.distance({row.place, 1}, {0, 0, 2});
+        const std::optional<ElementCrossing> met = placed.crossing({row.place, 1}, {0, 0, 2});
         CHECK(met.has_value() == row.met);
-        if (met) CHECK(*met == doctest::Approx(2));
-        CHECK_FALSE(placed.distance({row.place, 1}, {1, 0, 0}));
+        if (met) {
+            CHECK(met->distance == doctest::Approx(2));
+            CHECK(glm::distance(met->place, row.place / glm::dvec2(2, 1)) < 1e-12);
+        }
+        CHECK_FALSE(placed.crossing({row.place, 1}, {1, 0, 0}));
     }
-    CHECK(*PlacedElement({.to_world = at}).distance({0, 0, 6}, {0, 0, 1}) == doctest::Approx(-1));
+    CHECK(PlacedElement({.to_world = at}).crossing({0, 0, 6}, {0, 0, 1})->distance == doctest::Approx(-1));
 }
 
 TEST_CASE("what no element can be is refused by name") {

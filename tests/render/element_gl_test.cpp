@@ -83,6 +83,20 @@ void add_elements(Scene& scene) {
     scene.add_element({.kind = Kind::right_circular,
                        .outline = PolarizationElement::Outline::disk,
                        .to_world = tilted(-1, 1, 1, 0.5, 0.7, {0, 1, 0})});
+    const auto map = [](int channels, TextureSampling::Filter filter) {
+        TextureImage image{.width = 7, .height = 5, .channels = channels, .values = {}};
+        for (int i = 0; i < 35 * channels; ++i)
+            image.values.push_back(0.9F + 0.6F * std::sin(2.3F * float(i)));
+        return image_texture(std::move(image), {.filter = filter});
+    };
+    scene.add_element({.kind = Kind::retarder,
+                       .to_world = tilted(-0.3, -0.2, 1.2, 0.9, 0.5, {1, 0.4, 0.2}),
+                       .angle = 0.6,
+                       .retardance = 1.4},
+                      {.angle = map(1, TextureSampling::Filter::mipmap),
+                       .retardance = map(3, TextureSampling::Filter::bilinear)});
+    scene.add_element({.to_world = tilted(0.9, -0.5, 0.8, 0.4, -0.3, {1, 0, 0.2}), .angle = 1},
+                      {.angle = checkerboard_texture(glm::vec3(0.2F), glm::vec3(1.1F), 1)});
 }
 
 /// Counts pixels that differ from `wanted` by more than 1e-4 of its brightest value. Such pixels lie at edges
@@ -116,9 +130,9 @@ StokesImage filtered(const StokesImage& open, const Scene& scene, const Camera& 
             const double cosine = glm::dot(ray.direction, projection.view.forward);
             const auto depth = static_cast<double>(depths[static_cast<std::size_t>(y * open.width + x)]);
             ray.farthest = std::min(ray.farthest, depth / cosine);
-            const std::optional<Mueller> m = elements.mueller(ray, rays.frame(ray));
-            if (!m) continue;
             for (int c = 0; c < open.channels; ++c) {
+                const std::optional<Mueller> m = elements.mueller(ray, rays.frame(ray), c);
+                if (!m) continue;
                 const auto pixel = out.at(c, y, x);
                 const Stokes s = *m * Stokes(pixel[0], pixel[1], pixel[2], pixel[3]);
                 for (std::size_t p = 0; p < 4; ++p) pixel[p] = static_cast<float>(s[static_cast<int>(p)]);
@@ -150,6 +164,79 @@ IMAGE_TEST_CASE("polarizers before a bright background follow Malus' law") {
             CHECK(s0_behind({0, angle}) == doctest::Approx(c * c).epsilon(1e-4));
             CHECK(s0_behind({0, angle, 90}) == doctest::Approx(c * c * (1 - c * c)).epsilon(1e-4));
         }
+    }
+}
+
+IMAGE_TEST_CASE("a stressed sheet between crossed polarizers shows sin^2 2 theta sin^2 delta / 2") {
+    // Each pixel shows one texel. The first row of an image is at the bottom.
+    constexpr int columns = 16, rows = 12;
+    const auto map = [](int channels, const auto& value) {
+        TextureImage image{.width = columns, .height = rows, .channels = channels, .values = {}};
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < columns; ++x)
+                for (int c = 0; c < channels; ++c) image.values.push_back(float(value(x, rows - 1 - y, c)));
+        return image_texture(std::move(image), {.filter = TextureSampling::Filter::nearest});
+    };
+    const auto fast = [](int x, int y, int) { return 0.13 * y + 0.02 * x; };
+    Camera camera = camera_at({0, 0, 4});
+    camera.orthographic = true;
+    for (const int channels : {1, 3}) {
+        const auto delta = [](int x, int y, int c) { return (0.5 * x - 0.1 * y) * (1 + 0.2 * c); };
+        Scene scene;
+        scene.set_environment(constant_environment({2}), glm::dmat3(1), 1);
+        scene.add_element(across(Kind::polarizer, 0, -1));
+        scene.add_element(
+            {.kind = Kind::retarder,
+             .to_world = glm::scale(glm::dmat4(1), {1, double(rows) / columns, 1}),
+             .angle = 0.5,
+             .retardance = 2},
+            {.angle = map(1, [&](int x, int y, int c) { return fast(x, y, c) / 0.5; }),
+             .retardance = map(channels, [&](int x, int y, int c) { return delta(x, y, c) / 2; })});
+        scene.add_element(across(Kind::polarizer, 90, 1));
+        CHECK(scene.channels() == channels);
+        for (const Way& way : every_way()) {
+            CAPTURE(way.name);
+            Studio render(context, columns, rows);
+            const StokesImage image = render(scene, way.options, camera);
+            double most = 0;
+            for (int y = 0; y < rows; ++y)
+                for (int x = 0; x < columns; ++x)
+                    for (int c = 0; c < channels; ++c) {
+                        const double wanted =
+                            std::pow(std::sin(2 * fast(x, y, 0)) * std::sin(delta(x, y, c) / 2), 2);
+                        most = std::max(most, std::abs(double(image.at(c, y, x)[0]) - wanted));
+                    }
+            CHECK(most < 2e-5);
+        }
+    }
+}
+
+IMAGE_TEST_CASE(
+    "a texture that replaces another, and colours that come with a texture, show in the next picture") {
+    Scene scene;
+    scene.set_environment(constant_environment({2}), glm::dmat3(1), 1);
+    scene.add_element(across(Kind::polarizer, 0, -1));
+    const PolarizationElement sheet = across(Kind::retarder, 45, 0);
+    const auto with = [](const glm::vec3& factor, int channels) {
+        return ElementTextures{.retardance = constant_texture(glm::vec4(factor, 1), channels)};
+    };
+    const std::uint32_t id = scene.add_element(sheet);
+    scene.add_element(across(Kind::polarizer, 90, 1));
+    Camera narrow = camera_at({0, 0, 4});
+    narrow.fov = 1;
+    for (const Way& way : every_way()) {
+        CAPTURE(way.name);
+        Studio render(context, 4, 3);
+        const auto first = [&](int channel) {
+            return render(scene, way.options, narrow).at(channel, 1, 2)[0];
+        };
+        scene.set_element(id, sheet);
+        CHECK(first(0) == doctest::Approx(0.5).epsilon(1e-3));
+        scene.set_element(id, sheet, with(glm::vec3(2), 1));
+        CHECK(first(0) == doctest::Approx(1).epsilon(1e-3));
+        scene.set_element(id, sheet, with({0, 1, 2}, 3));
+        for (const int channel : {0, 1, 2})
+            CHECK(first(channel) == doctest::Approx(0.5 * channel).epsilon(1e-3));
     }
 }
 
@@ -293,6 +380,21 @@ TEST_CASE("elements of a scene have ids, and are checked") {
     check_error(refused, CALL(scene.set_element(2, {})), "no element 2");
     check_error(refused, CALL(scene.set_element(1, {.transmittance = 2})), "transmittance");
     check_error(refused, CALL(scene.add_element({.to_world = glm::dmat4(0.0)})), "to_world");
+    const TexturePtr of_mesh = mesh_color_texture(ColorsOf::vertices);
+    check_error(refused, CALL(scene.add_element({}, {.angle = of_mesh})),
+                "angle of an element has the colours");
+    check_error(refused, CALL(scene.set_element(1, {}, {.retardance = of_mesh})),
+                "retardance of an element has");
+    check_error(refused, CALL(scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 4)})),
+                "has 4 channels; it must have 1 or 3");
+    CHECK(scene.channels() == 1);
+    const std::uint32_t colored = scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 3)});
+    CHECK(scene.channels() == 3);
+    scene.remove_element(colored);
+    CHECK(scene.channels() == 1);
+    scene.set_environment(constant_environment({1, 2}), glm::dmat3(1), 1);
+    check_error(refused, CALL(scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 3)})),
+                "the element has 3 colour channels and the scene 2");
     CHECK(scene.element(1).transmittance == 1);
     CHECK(scene.elements().size() == 1);
 }

@@ -648,7 +648,11 @@ class Pplastic(Struct):
         surface is anisotropic, see nicol_conductor.
     alpha_u_texture: Textures that replace alpha_u and alpha_v; NULL, the default: none, but alpha_texture if the number is
         0.
-    film: film on the boundary, default none"""
+    film: film on the boundary, default none
+    film_thickness_texture: Texture whose first channel, clamped to 0 to 1, varies the thickness of the film: film_thickness_least
+        at 0, film.thickness at 1, linear between; NULL, the default: none. A texture of more than 16 values is
+        interpolated between up to 25 thicknesses.
+    film_thickness_least: thickness of the film where its texture is 0, nm, 0 to 10000, default 0"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -666,6 +670,8 @@ class Pplastic(Struct):
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
         ("film", Film),
+        ("film_thickness_texture", c_void_p),
+        ("film_thickness_least", c_double),
     ]
     distribution: Any
     diffuse_reflectance: Any
@@ -681,6 +687,8 @@ class Pplastic(Struct):
     alpha_u_texture: Texture
     alpha_v_texture: Texture
     film: Film
+    film_thickness_texture: Texture
+    film_thickness_least: float
 
 
 class Plastic(Struct):
@@ -832,7 +840,11 @@ class Conductor(Struct):
     alpha_v: Roughness along texture coordinate v, 0.001 to 1; 0, the default: alpha.
     alpha_u_texture: Texture that replaces alpha_u; NULL, the default: none, but alpha_texture if alpha_u is 0.
     alpha_v_texture: Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0.
-    film: film on the facets, default none"""
+    film: film on the facets, default none
+    film_thickness_texture: Texture whose first channel, clamped to 0 to 1, varies the thickness of the film: film_thickness_least
+        at 0, film.thickness at 1, linear between; NULL, the default: none. A texture of more than 16 values is
+        interpolated between up to 25 thicknesses.
+    film_thickness_least: thickness of the film where its texture is 0, nm, 0 to 10000, default 0"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -850,6 +862,8 @@ class Conductor(Struct):
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
         ("film", Film),
+        ("film_thickness_texture", c_void_p),
+        ("film_thickness_least", c_double),
     ]
     distribution: Any
     alpha: float
@@ -865,6 +879,8 @@ class Conductor(Struct):
     alpha_u_texture: Texture
     alpha_v_texture: Texture
     film: Film
+    film_thickness_texture: Texture
+    film_thickness_least: float
 
 
 class Dielectric(Struct):
@@ -1239,7 +1255,10 @@ class PolarizationElement(Struct):
     angle: Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y; finite,
         default 0. The angle has no effect on circular polarizers, which have no axis.
     retardance: Retardance of a retarder at normal incidence, degrees; finite, default 90, a quarter-wave plate.
-    transmittance: factor on the transmittance of the ideal element, 0 to 1, default 1"""
+    transmittance: factor on the transmittance of the ideal element, 0 to 1, default 1
+    angle_texture: factor on angle, in the first channel; NULL, the default: 1
+    retardance_texture: Factor on retardance: one channel, or red, green and blue, as of a plate whose retardance is a length;
+        NULL, the default: 1."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -1249,6 +1268,8 @@ class PolarizationElement(Struct):
         ("angle", c_double),
         ("retardance", c_double),
         ("transmittance", c_double),
+        ("angle_texture", c_void_p),
+        ("retardance_texture", c_void_p),
     ]
     kind: Any
     outline: Any
@@ -1256,6 +1277,8 @@ class PolarizationElement(Struct):
     angle: float
     retardance: float
     transmittance: float
+    angle_texture: Texture
+    retardance_texture: Texture
 
 
 class Instance(Struct):
@@ -1855,8 +1878,8 @@ class Sensor(Struct):
     def add_element(self, element: PolarizationElement, extinction_ratio: float) -> Self:
         """Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
         the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
-        its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
-        1; 0: an ideal polarizer."""
+        its outline has no effect, and it must have no textures. extinction_ratio: transmittance along over across
+        a polarizer's axis, at least 1; 0: an ideal polarizer."""
         check(_sensor_add_element(byref(self), byref(element) if element is not None else None, extinction_ratio))
         return self
 
@@ -2884,7 +2907,8 @@ class Scene(Handle):
 
     def add_polarization_element(self, element: PolarizationElement | None) -> int:
         """Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
-        and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
+        and lights. The handles of the textures may be released afterwards. The message of
+        NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
         id = c_uint32()
         check(_scene_add_polarization_element(self, byref(element) if element is not None else None, byref(id)))
         return id.value
@@ -2898,11 +2922,19 @@ class Scene(Handle):
         """Removes a polarization element. The id is not used again; other elements keep their ids."""
         check(_scene_remove_polarization_element(self, id))
 
-    def get_polarization_element(self, id: int) -> PolarizationElement:
-        """Gets a polarization element as it was given."""
+    def get_polarization_element(self, id: int | None) -> PolarizationElement:
+        """Gets a polarization element as it was given, but for its textures, which are NULL."""
         element = PolarizationElement()
         check(_scene_get_polarization_element(self, id, byref(element)))
         return element
+
+    def get_polarization_element_textures(self, id: int | None) -> tuple[Texture | None, Texture | None]:
+        """Gets the textures of a polarization element as handles to release; NULL for none. angle or retardance may
+        be NULL."""
+        angle = Texture()
+        retardance = Texture()
+        check(_scene_get_polarization_element_textures(self, id, byref(angle), byref(retardance)))
+        return angle if angle.value else None, retardance if retardance.value else None
 
     def get_polarization_element_count(self) -> int:
         """Gets the number of polarization elements."""
@@ -3594,6 +3626,7 @@ _scene_add_polarization_element = declare("nicol_scene_add_polarization_element"
 _scene_set_polarization_element = declare("nicol_scene_set_polarization_element", c_int32, Scene, c_uint32, POINTER(PolarizationElement))
 _scene_remove_polarization_element = declare("nicol_scene_remove_polarization_element", c_int32, Scene, c_uint32)
 _scene_get_polarization_element = declare("nicol_scene_get_polarization_element", c_int32, Scene, c_uint32, POINTER(PolarizationElement))
+_scene_get_polarization_element_textures = declare("nicol_scene_get_polarization_element_textures", c_int32, Scene, c_uint32, POINTER(Texture), POINTER(Texture))
 _scene_get_polarization_element_count = declare("nicol_scene_get_polarization_element_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_polarization_element_ids = declare("nicol_scene_get_polarization_element_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))

@@ -658,10 +658,12 @@ pub struct nicol_pplastic {
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
     pub film: nicol_film,
+    pub film_thickness_texture: nicol_texture,
+    pub film_thickness_least: f64,
 }
 defaults!(nicol_pplastic, nicol_pplastic_init);
 const _: () = {
-    assert!(size_of::<nicol_pplastic>() == 296);
+    assert!(size_of::<nicol_pplastic>() == 312);
     assert!(offset_of!(nicol_pplastic, struct_size) == 0);
     assert!(offset_of!(nicol_pplastic, distribution) == 4);
     assert!(offset_of!(nicol_pplastic, diffuse_reflectance) == 8);
@@ -678,6 +680,8 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, alpha_u_texture) == 192);
     assert!(offset_of!(nicol_pplastic, alpha_v_texture) == 200);
     assert!(offset_of!(nicol_pplastic, film) == 208);
+    assert!(offset_of!(nicol_pplastic, film_thickness_texture) == 296);
+    assert!(offset_of!(nicol_pplastic, film_thickness_least) == 304);
 };
 
 /// Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
@@ -798,10 +802,12 @@ pub struct nicol_conductor {
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
     pub film: nicol_film,
+    pub film_thickness_texture: nicol_texture,
+    pub film_thickness_least: f64,
 }
 defaults!(nicol_conductor, nicol_conductor_init);
 const _: () = {
-    assert!(size_of::<nicol_conductor>() == 424);
+    assert!(size_of::<nicol_conductor>() == 440);
     assert!(offset_of!(nicol_conductor, struct_size) == 0);
     assert!(offset_of!(nicol_conductor, distribution) == 4);
     assert!(offset_of!(nicol_conductor, alpha) == 8);
@@ -818,6 +824,8 @@ const _: () = {
     assert!(offset_of!(nicol_conductor, alpha_u_texture) == 320);
     assert!(offset_of!(nicol_conductor, alpha_v_texture) == 328);
     assert!(offset_of!(nicol_conductor, film) == 336);
+    assert!(offset_of!(nicol_conductor, film_thickness_texture) == 424);
+    assert!(offset_of!(nicol_conductor, film_thickness_least) == 432);
 };
 
 /// Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
@@ -1122,10 +1130,12 @@ pub struct nicol_polarization_element {
     pub angle: f64,
     pub retardance: f64,
     pub transmittance: f64,
+    pub angle_texture: nicol_texture,
+    pub retardance_texture: nicol_texture,
 }
 defaults!(nicol_polarization_element, nicol_polarization_element_init);
 const _: () = {
-    assert!(size_of::<nicol_polarization_element>() == 168);
+    assert!(size_of::<nicol_polarization_element>() == 184);
     assert!(offset_of!(nicol_polarization_element, struct_size) == 0);
     assert!(offset_of!(nicol_polarization_element, kind) == 4);
     assert!(offset_of!(nicol_polarization_element, outline) == 8);
@@ -1134,6 +1144,8 @@ const _: () = {
     assert!(offset_of!(nicol_polarization_element, angle) == 144);
     assert!(offset_of!(nicol_polarization_element, retardance) == 152);
     assert!(offset_of!(nicol_polarization_element, transmittance) == 160);
+    assert!(offset_of!(nicol_polarization_element, angle_texture) == 168);
+    assert!(offset_of!(nicol_polarization_element, retardance_texture) == 176);
 };
 
 #[repr(C)]
@@ -2222,15 +2234,19 @@ extern "C" {
     /// instance that emits no light.
     pub fn nicol_scene_get_emission(scene: nicol_scene, id: u32, emission: *mut nicol_emission, texture: *mut nicol_texture) -> nicol_result;
     /// Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
-    /// and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
+    /// and lights. The handles of the textures may be released afterwards. The message of
+    /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_scene_add_polarization_element(scene: nicol_scene, element: *const nicol_polarization_element, id: *mut u32) -> nicol_result;
     /// Replaces all fields of a polarization element. The message of NICOL_ERROR_INVALID_ARGUMENT names the field
     /// that is out of range.
     pub fn nicol_scene_set_polarization_element(scene: nicol_scene, id: u32, element: *const nicol_polarization_element) -> nicol_result;
     /// Removes a polarization element. The id is not used again; other elements keep their ids.
     pub fn nicol_scene_remove_polarization_element(scene: nicol_scene, id: u32) -> nicol_result;
-    /// Gets a polarization element as it was given.
+    /// Gets a polarization element as it was given, but for its textures, which are NULL.
     pub fn nicol_scene_get_polarization_element(scene: nicol_scene, id: u32, element: *mut nicol_polarization_element) -> nicol_result;
+    /// Gets the textures of a polarization element as handles to release; NULL for none. angle or retardance may
+    /// be NULL.
+    pub fn nicol_scene_get_polarization_element_textures(scene: nicol_scene, id: u32, angle: *mut nicol_texture, retardance: *mut nicol_texture) -> nicol_result;
     /// Gets the number of polarization elements.
     pub fn nicol_scene_get_polarization_element_count(scene: nicol_scene, elements: *mut u32) -> nicol_result;
     /// Gets the ids of all polarization elements, ascending. count must be the number of elements.
@@ -2373,8 +2389,8 @@ extern "C" {
     pub fn nicol_sensor_load_memory(sensor: *mut nicol_sensor, file: *const nicol_memory_file) -> nicol_result;
     /// Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
     /// the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
-    /// its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
-    /// 1; 0: an ideal polarizer.
+    /// its outline has no effect, and it must have no textures. extinction_ratio: transmittance along over across
+    /// a polarizer's axis, at least 1; 0: an ideal polarizer.
     pub fn nicol_sensor_add_element(sensor: *mut nicol_sensor, element: *const nicol_polarization_element, extinction_ratio: f64) -> nicol_result;
     pub fn nicol_stokes_image_init(descriptor: *mut nicol_stokes_image, struct_size: u32) -> nicol_result;
     pub fn nicol_raw_image_init(descriptor: *mut nicol_raw_image, struct_size: u32) -> nicol_result;
