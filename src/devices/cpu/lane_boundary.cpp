@@ -13,13 +13,19 @@ namespace {
 // Index of the far side relative to the ray's, as Fresnel's formulas need it, on the outside and the inside.
 struct Sides {
     explicit Sides(const SmoothBoundary& boundary)
-        : slab(boundary.behind == SmoothBoundary::Behind::slab),
-          eta{boundary.eta, slab ? boundary.eta : 1 / boundary.eta},
-          index{RelativeIndex<double>(eta[0]), RelativeIndex<double>(eta[1])} {}
+        : Sides(boundary, boundary.behind == SmoothBoundary::Behind::slab) {}
 
     bool slab;
-    std::array<double, 2> eta;
-    std::array<RelativeIndex<double>, 2> index;
+    std::array<float, 2> eta;
+    std::array<RelativeIndex<float>, 2> index;
+
+private:
+    Sides(const SmoothBoundary& boundary, bool is_slab)
+        : Sides(is_slab, {boundary.eta, is_slab ? boundary.eta : 1 / boundary.eta}) {}
+    Sides(bool is_slab, const std::array<double, 2>& of)
+        : slab(is_slab),
+          eta{static_cast<float>(of[0]), static_cast<float>(of[1])},
+          index{RelativeIndex<float>(of[0]), RelativeIndex<float>(of[1])} {}
 };
 
 // Directions of the light that a boundary sends against a ray.
@@ -65,7 +71,7 @@ template <class Number>
 // Returns fresnel_transmission() as a block.
 template <class Number>
 [[gnu::always_inline]] inline ReflectionBlock<Number> transmission_block(const Number& cosine,
-                                                                         const RelativeIndex<double>& index) {
+                                                                         const RelativeIndex<float>& index) {
     ReflectionBlock<Number> out{};
     dielectric_transmission(cosine, index, out.a, out.b);
     out.c = (out.a + out.b) * (out.a - out.b);
@@ -147,7 +153,7 @@ template <class Number>
         // Rays of one beam are mostly on one side.
         const bool all_inside = all_lanes(inside);
         if (all_inside || all_lanes(outside)) {
-            const RelativeIndex<double>& index = sides.index[all_inside ? 1 : 0];
+            const RelativeIndex<float>& index = sides.index[all_inside ? 1 : 0];
             reflection = dielectric_reflection(cosine, index);
             transmission = transmission_block(cosine, index);
         } else {
@@ -214,8 +220,7 @@ void take_film(const Split& of, LaneSplit& out) {
 }  // namespace
 
 void split_lanes(const SmoothBoundary& boundary, const BoundaryHits& hits, LaneSplit& out) {
-    dispatch<split_all<TwoDoubles>, split_all<FourDoubles>, split_all<EightDoubles>>(Sides(boundary), hits,
-                                                                                     out);
+    dispatch<split_all<FourLanes>, split_all<EightLanes>, split_all<AllLanes>>(Sides(boundary), hits, out);
     if (boundary.film)
         take_film([&](double cosine, bool inside) { return mean_split_of(boundary, cosine, inside); }, out);
 }
