@@ -67,10 +67,6 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 
 }  // namespace
 
-std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light) {
-    return mixed(mixed(point) + 0x9E3779B9U * light);
-}
-
 void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {
     std::array<std::uint32_t, kLanes> all;
     for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];

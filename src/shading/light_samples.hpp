@@ -6,6 +6,7 @@
 #include <span>
 
 #include "simd/lanes.hpp"
+#include "simd/mixed_bits.hpp"
 
 namespace nicol {
 
@@ -20,6 +21,8 @@ void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, La
 [[nodiscard]] std::uint32_t light_sample_count(float angular_radius, std::uint32_t most);
 
 /// Returns the seed of a point for a light; equal arguments give equal seeds.
-[[nodiscard]] std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light);
+[[nodiscard, gnu::always_inline]] inline std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light) {
+    return mixed(mixed(point) + 0x9E3779B9U * light);
+}
 
 }  // namespace nicol

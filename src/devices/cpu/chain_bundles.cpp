@@ -194,19 +194,10 @@ void SmoothChains::go_on(const LaneChains& from, const LaneSplit& split, const L
     for (std::size_t i = 0; i < kLanes; ++i) {
         if ((some >> i & 1) == 0) continue;
         const bool reflects = choice.reflects[i] > 0;
-        to.seeds[i] = sample_seed(from.seeds[i], kFirstOnward + (reflects ? 1 : 0));
         to.bodies[i] = body_before(boundary, split.inside[i] > 0, reflects, from.bodies[i]);
         if ((outside >> i & 1) != 0 && input_.smooth->open(from.met[i])) to.open |= 1U << i;
     }
-    to.factors.resize(from.factors.size());
-    for (std::size_t c = 0; c < to.factors.size(); ++c) {
-        const auto channel = static_cast<int>(c);
-        const auto of_reflected = static_cast<float>(of_channel(boundary.reflectance, channel));
-        const auto of_transmitted = static_cast<float>(of_channel(boundary.transmittance, channel));
-        for (std::size_t i = 0; i < kLanes; ++i)
-            to.factors[c][i] = from.factors[c][i] * (choice.reflects[i] > 0 ? of_reflected : of_transmitted) /
-                               choice.probabilities[i];
-    }
+    continue_factors(from, boundary, choice, kFirstOnward, to);
 }
 
 void SmoothChains::add_sky(const LaneChains& chains, std::uint32_t some, Bundle& bundle) const {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "material/reflectance.hpp"
+#include "shading/light_samples.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -196,6 +198,26 @@ template <class Number>
 }
 
 template <class Number>
+[[gnu::always_inline]] inline void scale_all(const Lanes& from, const LaneChoice& choice, float of_reflected,
+                                             float of_transmitted, Lanes& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number factor, reflects, probability;
+        load_part(from, first, factor);
+        load_part(choice.reflects, first, reflects);
+        load_part(choice.probabilities, first, probability);
+        factor *= reflects > 0.5F ? Number{} + of_reflected : Number{} + of_transmitted;
+        store_part(Number(factor / probability), first, out);
+    }
+}
+
+[[gnu::always_inline]] inline void seed_all(const std::array<std::uint32_t, kLanes>& from,
+                                            const Lanes& reflects, std::uint32_t onward,
+                                            std::array<std::uint32_t, kLanes>& out) {
+    for (std::size_t i = 0; i < kLanes; ++i)
+        out[i] = sample_seed(from[i], onward + (reflects[i] > 0.5F ? 1U : 0U));
+}
+
+template <class Number>
 [[gnu::always_inline]] inline void find_all(const LaneChains& chains, const glm::mat3& to_light,
                                             LaneSky& out) {
     const auto turned = [&to_light](const Vector3<Number>& v) __attribute__((always_inline)) {
@@ -282,6 +304,18 @@ std::uint32_t begin_chains(const ChainSamples& samples, LaneChains& out) {
     for (std::size_t i = 0; i < out.matrices.size(); ++i)
         out.matrices[i].value.fill(i % 5 == 0 ? static_cast<float>(samples.weight) : 0.0F);
     return bits_of(along);
+}
+
+void continue_factors(const LaneChains& from, const SmoothBoundary& boundary, const LaneChoice& choice,
+                      std::uint32_t onward, LaneChains& out) {
+    dispatch<seed_all>(from.seeds, choice.reflects, onward, out.seeds);
+    out.factors.resize(from.factors.size());
+    for (std::size_t c = 0; c < out.factors.size(); ++c) {
+        const auto channel = static_cast<int>(c);
+        dispatch<scale_all<FourLanes>, scale_all<EightLanes>, scale_all<AllLanes>>(
+            from.factors[c], choice, static_cast<float>(of_channel(boundary.reflectance, channel)),
+            static_cast<float>(of_channel(boundary.transmittance, channel)), out.factors[c]);
+    }
 }
 
 std::uint32_t continue_chains(const LaneChains& from, const LaneSplit& split, const LaneChoice& choice,

@@ -50,6 +50,10 @@ struct LaneChoice {
     Lanes probabilities;  ///< of the choice
     double reflectance, transmittance;  ///< mean factors of the material
 };
+/// Continues seeds, and factors of materials by those of a boundary's parts. onward: number from which seeds
+/// follow where light is transmitted, and the next one where it is reflected. `out` may not be `from`.
+void continue_factors(const LaneChains& from, const SmoothBoundary& boundary, const LaneChoice& choice,
+                      std::uint32_t onward, LaneChains& out);
 /// Continues rays, matrices and carried light beyond a boundary. `out` may not be `from`. Also returns, as
 /// bits, which rays leave the front of their triangle.
 [[nodiscard]] std::uint32_t continue_chains(const LaneChains& from, const LaneSplit& split,
