@@ -2,6 +2,7 @@
 """Prints what the tests of the contract need to know of the C headers.
 
 usage: functions.py table INCLUDE_FOLDER > functions.inc   (a line a function: itself and the names of its parameters)
+       functions.py names INCLUDE_FOLDER > names.txt       (a line a function: its name)
        functions.py fields INCLUDE_FOLDER > fields.inc     (a line a struct that a function reads: its numbers)
        functions.py defaults INCLUDE_FOLDER > defaults.inc (a function a struct that gives it its defaults)
        functions.py use INCLUDE_FOLDER > use.c             (a C program that initialises every struct and passes every callback)
@@ -19,6 +20,10 @@ def table(model):
         if function.result.base == "nicol_result":
             names = ", ".join(f'"{p.name}"' for p in function.parameters)
             yield f'{{"{function.name}", {{{names}}}, bind({function.name})}},'
+
+
+def names(model):
+    return sorted(model.functions)
 
 
 def numbers(model, struct, offset=0):
@@ -73,4 +78,4 @@ def use(model):
 
 if __name__ == "__main__":
     header = reader.read(sys.argv[2])
-    print("\n".join({"table": table, "fields": fields, "defaults": defaults, "use": use}[sys.argv[1]](header)))
+    print("\n".join({"table": table, "names": names, "fields": fields, "defaults": defaults, "use": use}[sys.argv[1]](header)))

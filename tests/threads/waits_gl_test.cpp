@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// Returns the functions in capi/symbols.txt that take a context or an object of one.
+/// Returns the functions of the C headers that take a context or an object of one.
 Names functions_of_contexts(bool in_host) {
     // These take neither, or a file of measurements, which the repository lacks.
     const Names apart{"nicol_build_info",
@@ -49,7 +49,7 @@ Names functions_of_contexts(bool in_host) {
                           "nicol_framebuffer_draw_plane", "nicol_framebuffer_draw_stokes",
                           "nicol_framebuffer_get_texture"};
     Names names;
-    std::ifstream file(NICOL_SYMBOLS);
+    std::ifstream file(NICOL_FUNCTIONS);
     for (std::string name; file >> name;) {
         const bool numbers = name.starts_with("nicol_psh_") || name.starts_with("nicol_file_");
         if (!numbers && !name.ends_with("_init") && !apart.contains(name) &&
