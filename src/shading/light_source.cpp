@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "light/environment.hpp"
@@ -20,37 +19,25 @@ bool dark(const std::vector<double>& value) {
     return std::ranges::all_of(value, [](double of_channel) { return of_channel == 0; });
 }
 
-TexturePtr texture_of(const LocalLight& light) {
-    return light.kind == LocalLight::Kind::directional ? nullptr : light.texture;
-}
-
-// axes: from the light's own axes to the points'.
-LightSourcePtr made(const LocalLight& light, const glm::dmat4& axes, SourceColor color) {
-    if (light.kind == LocalLight::Kind::directional)
-        return std::make_unique<const DirectionalSource>(light, std::move(color), glm::dmat3(axes));
-    return std::make_unique<const PointSource>(light, std::move(color), axes);
-}
-
 }  // namespace
 
 LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes) {
     if (dark(light.value)) return nullptr;
     const glm::dmat4 axes = to_axes * light.to_world;
-    return made(light, axes,
-                {light.value, texture_of(light), light.state, glm::dmat3(axes) * light.state.axis});
+    return simple_source(
+        light, {light.value, light.texture, light.state, glm::dmat3(axes) * light.state.axis}, axes);
 }
 
 LightSourcePtr unit_sources(const LocalLight& light, int channels, const glm::dmat4& to_axes) {
     const glm::dmat4 axes = to_axes * light.to_world;
-    return made(light, axes,
-                SourceColor::units(channels, texture_of(light), glm::dmat3(axes) * light.state.axis));
+    return simple_source(
+        light, SourceColor::units(channels, light.texture, glm::dmat3(axes) * light.state.axis), axes);
 }
 
 LightSourcePtr light_source(const EmissiveSurface& surface) {
     if (dark(surface.emission.radiance)) return nullptr;
     if (surface.emission.texture == nullptr && !surface.emission.two_sided) {
-        if (const std::optional<EmissiveSphere> sphere = sphere_of(surface.triangles))
-            return std::make_unique<const SphereSource>(*sphere, surface.emission, surface.axis);
+        if (LightSourcePtr sphere = sphere_source(surface)) return sphere;
     }
     auto source = std::make_unique<const SurfaceSource>(surface);
     if (!(source->area() > 0)) return nullptr;

@@ -2,12 +2,18 @@
 #include "shading/simple_sources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "light/lane_light.hpp"
 #include "simd/lane_angle.hpp"
 
 namespace nicol {
@@ -26,7 +32,72 @@ float until_ball(float along, float beside, float radius) {
     return std::max(0.0F, along - std::sqrt(std::max(0.0F, radius * radius - beside * beside)));
 }
 
-}  // namespace
+/// Distant light from one direction or from a disc.
+class DirectionalSource final : public LightSource {
+public:
+    /// Takes `axes`, a rotation from the light's axes to the points' axes.
+    DirectionalSource(const LocalLight& light, SourceColor color, const glm::dmat3& axes);
+
+    [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
+    [[nodiscard]] float brightness(const glm::vec3& /*from*/) const noexcept override {
+        return color_.brightest();
+    }
+    void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
+
+private:
+    SourceColor color_;
+    float radius_;
+    float height_;   // 1 - cos(radius)
+    float density_;  // irradiance of a sample times the solid angle, over that of the whole disc
+    glm::vec3 towards_, right_, up_;
+};
+
+/// Light from a point without a size: a point light, a spot or a projector.
+class PointSource final : public LightSource {
+public:
+    /// Takes `to_axes`, a rotation and shift from the light's own axes to the points'.
+    PointSource(LocalLight light, SourceColor color, const glm::dmat4& to_axes);
+
+    [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
+    [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;
+    void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
+
+private:
+    // Multiplies `factor` by the light's directional pattern in directions in its own axes, and finds their
+    // texture coordinates.
+    void aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const;
+
+    LocalLight light_;
+    SourceColor color_;
+    glm::vec3 place_;
+    glm::mat3 axes_;  // the light's own axes
+};
+
+/// Surface that is nearly a sphere.
+struct EmissiveSphere {
+    glm::dvec3 centre;
+    double radius;        ///< radius of the sphere with the surface's area
+    double outer_radius;  ///< radius of a sphere that contains the surface
+};
+/// Light from an emissive sphere.
+class SphereSource final : public LightSource {
+public:
+    /// Takes `axis`, the axis of the polarization, as in EmissiveSurface.
+    SphereSource(const EmissiveSphere& sphere, const Emission& emission, const glm::dvec3& axis);
+
+    [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
+    [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;
+    void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
+
+private:
+    SourceColor color_;
+    glm::vec3 centre_;
+    float radius_;
+    float outer_radius_;  // end of rays to the light, so that its own triangles do not hide it
+};
 
 // A uniform disc of radius r and radiance L gives the irradiance L pi sin^2 r on a surface that faces it.
 // Each light sample represents the whole solid angle, 4 pi sin^2 (r / 2).
@@ -219,6 +290,20 @@ void SphereSource::intersect(const LaneVectors& points, const LaneVectors& direc
         one[i] = 1;
     }
     color_.put(one, out);
+}
+
+}  // namespace
+
+LightSourcePtr simple_source(const LocalLight& light, SourceColor color, const glm::dmat4& to_axes) {
+    if (light.kind == LocalLight::Kind::directional)
+        return std::make_unique<const DirectionalSource>(light, std::move(color), glm::dmat3(to_axes));
+    return std::make_unique<const PointSource>(light, std::move(color), to_axes);
+}
+
+LightSourcePtr sphere_source(const EmissiveSurface& surface) {
+    const std::optional<EmissiveSphere> sphere = sphere_of(surface.triangles);
+    if (!sphere) return nullptr;
+    return std::make_unique<const SphereSource>(*sphere, surface.emission, surface.axis);
 }
 
 }  // namespace nicol
