@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#define DOCTEST_CONFIG_IMPLEMENT  // follows from the line above unless test.hpp is precompiled
 #include <doctest/doctest.h>
 
 #ifdef NICOL_SANITIZED

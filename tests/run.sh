@@ -34,6 +34,6 @@ if [ "$threads" = 1 ]; then
     ctest --test-dir build-tsan --output-on-failure -R '^(threads|waits)\.'
 fi
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON -DNICOL_PRECOMPILE=ON
 cmake --build build
 ctest --test-dir build --output-on-failure -j2

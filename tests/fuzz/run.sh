@@ -10,7 +10,7 @@ seconds=${1:-30}
 [ $# = 0 ] || shift
 
 cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-    -DNICOL_FUZZ=ON -DNICOL_BUILD_TESTS=ON -DNICOL_INSTALL=OFF
+    -DNICOL_FUZZ=ON -DNICOL_BUILD_TESTS=ON -DNICOL_INSTALL=OFF -DNICOL_PRECOMPILE=ON
 cmake --build build-fuzz --target fuzzers
 
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
