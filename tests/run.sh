@@ -2,19 +2,21 @@
 # SPDX-License-Identifier: MIT
 # Sets up, builds and runs every test. NICOL_CI_SANITIZE=1 or --sanitize also runs them under AddressSanitizer and
 # UBSan, and --threads runs the multi-threaded ones under ThreadSanitizer. --all tests computed images on each OpenGL
-# backend instead of one.
+# backend instead of one. --build builds only.
 set -eu
 cd "$(dirname "$0")/.."
 
 sanitize=${NICOL_CI_SANITIZE:-0}
 threads=0
+build=0
 for argument in "$@"; do
     case $argument in
     --sanitize) sanitize=1 ;;
     --threads) threads=1 ;;
     --all) export NICOL_TEST_BACKENDS=all ;;
+    --build) build=1 ;;
     *)
-        echo "usage: sh tests/run.sh [--sanitize] [--threads] [--all]" >&2
+        echo "usage: sh tests/run.sh [--sanitize] [--threads] [--all] [--build]" >&2
         exit 2
         ;;
     esac
@@ -36,4 +38,4 @@ fi
 
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON -DNICOL_PRECOMPILE=ON
 cmake --build build
-ctest --test-dir build --output-on-failure -j2
+[ "$build" = 1 ] || ctest --test-dir build --output-on-failure -j2
