@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -19,12 +20,13 @@
 namespace nicol {
 namespace {
 
-constexpr float kLargestFixed = 32767.0F / kFixedOne;
+constexpr int kMostFixed = 32767;
+constexpr float kLargestFixed = kMostFixed / kFixedOne;
 
 std::int16_t to_fixed(float number) {
     // Added to a float of this size, a number is rounded to an integer, faster than by std::lround.
     constexpr float whole = 12582912.0F;
-    const float scaled = std::clamp(number * kFixedOne, -32767.0F, 32767.0F);
+    const float scaled = std::clamp(number * kFixedOne, -1.0F * kMostFixed, 1.0F * kMostFixed);
     return static_cast<std::int16_t>((scaled + whole) - whole);
 }
 
@@ -81,9 +83,6 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     }
     find_occluded(visibility);
     numbers_.resize((visibility.vertices() + kLanes - 1) / kLanes);
-    if (psh_count(harmonics.order()) > directions.size()) {
-        find_unit({visibility, harmonics, normals, {}});
-    }
     std::vector<std::uint32_t> vertices;
     for (std::size_t first = 0; first < vertices_.size(); first += kLanes) {
         const std::size_t block = vertices_[first] / kLanes;
@@ -142,17 +141,16 @@ void VisibilityProduct::find_occluded(const Visibility& visibility) {
     }
 }
 
-// Finds the unit of the stored numbers. With fewer directions than coefficients, the numbers may leave the
-// range of visibility.
-void VisibilityProduct::find_unit(const Input& input) {
-    std::vector<float> largest(numbers_.blocks(), 0.0F);
-    compute(vertices_, input, [&](std::span<const std::uint32_t> some, std::span<const Lanes> numbers) {
-        float& of_block = largest[some.front() / kLanes];
-        for (const Lanes& lanes : numbers)
-            for (const float number : lanes.value) of_block = std::max(of_block, std::abs(number));
+void VisibilityProduct::grow_unit(float largest) {
+    int doublings = 0;
+    for (; unit_ * kLargestFixed < largest; ++doublings) unit_ *= 2;
+    const int half = 1 << (doublings - 1);
+    tbb::parallel_for(std::size_t{0}, numbers_.blocks(), [&](std::size_t block) {
+        if (numbers_.at(block) == nullptr) return;
+        for (NumberPair& pair : std::span(numbers_.at(block), size_ / 2))
+            for (std::int16_t& number : pair.value)
+                number = static_cast<std::int16_t>((number + half) >> doublings);
     });
-    const float most = largest.empty() ? 0.0F : std::ranges::max(largest);
-    while (unit_ * kLargestFixed < most) unit_ *= 2;
 }
 
 template <class Use>
@@ -188,8 +186,31 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> all, const Input&
 }
 
 void VisibilityProduct::store(std::span<const std::uint32_t> vertices, const Input& input) {
+    const float largest = store_in_unit(vertices, input);
+    if (largest <= unit_ * kLargestFixed) return;
+    // Few vertices have numbers that were clamped.
+    std::vector<std::uint8_t> clamped(vertices.size(), 0);
+    const std::size_t step = matrices_ ? 2 : 1, second = matrices_ ? 1 : kLanes;
+    tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) {
+        const std::int16_t* const of =
+            numbers_.at(vertices[i] / kLanes)->value.data() + vertices[i] % kLanes * step;
+        for (std::size_t k = 0; k < size_ && clamped[i] == 0; k += 2)
+            clamped[i] =
+                std::max(std::abs(of[k * kLanes]), std::abs(of[k * kLanes + second])) == kMostFixed ? 1 : 0;
+    });
+    std::vector<std::uint32_t> again;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (clamped[i] != 0) again.push_back(vertices[i]);
+    grow_unit(largest);
+    store_in_unit(again, {input.visibility, input.harmonics, input.normals, {}});
+}
+
+float VisibilityProduct::store_in_unit(std::span<const std::uint32_t> vertices, const Input& input) {
     const std::size_t step = matrices_ ? 2 : 1;         // step from lane to lane
     const std::size_t second = matrices_ ? 1 : kLanes;  // step from the first number of a pair to the second
+    // With fewer directions than coefficients, the numbers may leave the range of visibility.
+    const bool may_be_large = psh_count(input.harmonics.order()) > input.harmonics.directions().size();
+    std::atomic<float> largest = 0;
     compute(vertices, input, [&](std::span<const std::uint32_t> some, std::span<const Lanes> numbers) {
         std::array<std::int16_t*, kLanes> to{};
         for (std::size_t i = 0; i < some.size(); ++i)
@@ -201,7 +222,16 @@ void VisibilityProduct::store(std::span<const std::uint32_t> vertices, const Inp
                 pair[second] = to_fixed(numbers[k + 1][i] / unit_);
             }
         }
+        if (!may_be_large) return;
+        Lanes most{};
+        for (const Lanes& lanes : numbers)
+            for (std::size_t i = 0; i < kLanes; ++i) most[i] = std::max(most[i], std::abs(lanes[i]));
+        const float here = *std::max_element(most.value.begin(), most.value.begin() + some.size());
+        float known = largest;
+        while (known < here && !largest.compare_exchange_weak(known, here)) {
+        }
     });
+    return largest;
 }
 
 void VisibilityProduct::find_computed(std::span<std::uint8_t> computed) const {

@@ -101,13 +101,17 @@ private:
     };
 
     void find_occluded(const Visibility& visibility);
-    void find_unit(const Input& input);
+    // Makes the unit large enough for a number, and expresses the stored numbers in it.
+    void grow_unit(float largest);
     // Computes the numbers of some vertices, on threads, and calls use(sixteen, numbers) for each sixteen of
     // them, in any order.
     template <class Use>
     void compute(std::span<const std::uint32_t> vertices, const Input& input, const Use& use) const;
-    // Computes and stores the numbers of some vertices, whose blocks have memory.
+    // Computes and stores the numbers of some vertices, whose blocks have memory. The unit grows if a number
+    // requires it.
     void store(std::span<const std::uint32_t> vertices, const Input& input);
+    // Stores numbers in the present unit, clamped, and returns the largest one if it may need another unit.
+    float store_in_unit(std::span<const std::uint32_t> vertices, const Input& input);
 
     LightLayout layout_;
     std::optional<ShadowMatrices> matrices_;  // set up to kHighestMatrixOrder; otherwise grid_ is set

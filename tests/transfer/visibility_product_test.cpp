@@ -229,6 +229,44 @@ TEST_CASE("only vertices that changed are computed anew") {
     }
 }
 
+TEST_CASE("vertices with large numbers make the unit grow, and those kept keep their product") {
+    constexpr std::uint32_t vertices = 64, kept = 16;
+    // More than twice as many coefficients as directions.
+    const LightLayout layout(16, LightKind::linear);
+    Scene after(vertices);
+    for (std::size_t v = 0; v < kept; ++v) {  // these see everything, so that their numbers are about 1
+        for (std::size_t i = 0; i < directions().size(); ++i)
+            if (glm::dot(directions().directions()[i], after.normals[v]) > 0)
+                after.visibility.at(v)[i / 64] |= std::uint64_t{1} << (i % 64);
+        after.visibility.set_unoccluded(v, false);
+    }
+    Scene before = after;
+    std::vector<std::uint32_t> former(vertices, kNoVertex);
+    std::iota(former.begin(), former.begin() + kept, 0U);
+    for (std::size_t v = kept; v < vertices; ++v) {
+        std::ranges::fill(before.visibility.at(v), std::uint64_t{0});
+        before.visibility.set_unoccluded(v, false);
+    }
+    VisibilityProduct small = before.product(layout);
+    CHECK(small.unit() == 1);
+    const VisibilityProduct carried(std::move(small), former, after.visibility, directions(), after.normals);
+    const VisibilityProduct expected = after.product(layout);
+    CHECK(expected.unit() > 1);
+    CHECK(carried.unit() == expected.unit());
+    VertexLight light = vertex_lights(layout, 1, vertices), of_all = vertex_lights(layout, 1, vertices);
+    carried.run(light, 0, light.blocks());
+    expected.run(of_all, 0, of_all.blocks());
+    float difference = 0, largest = 0;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::vector<float> have = numbers_at(light, v, 0), want = numbers_at(of_all, v, 0);
+        for (std::size_t k = 0; k < want.size(); ++k) {
+            difference = std::max(difference, std::abs(have[k] - want[k]));
+            largest = std::max(largest, std::abs(want[k]));
+        }
+    }
+    CHECK(difference < 1e-4F * largest);
+}
+
 TEST_CASE("blocks of vertices that are not needed are left out until they are") {
     const LightLayout layout(3, LightKind::full);
     const Scene scene(100);
