@@ -55,9 +55,10 @@ public:
     EquirectImage image() const override {
         EquirectImage image(width_, height_, channels_);
         image.wavelengths = wavelengths_;
-        const auto step = static_cast<std::size_t>(components_);
-        for (std::size_t i = 0; i * step < size(); ++i)
-            for (std::size_t p = 0; p < step; ++p) image.data[4 * i + p] = values_[i * step + p];
+        if (components_ == 4)
+            std::copy_n(values_.get(), size(), image.data.begin());
+        else
+            for (std::size_t i = 0; i < size(); ++i) image.data[4 * i] = values_[i];
         return image;
     }
 

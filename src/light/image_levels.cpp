@@ -167,11 +167,16 @@ void ImageLevels::add(const EquirectTexels& image) {
     shapes_.first.push_back(static_cast<std::int32_t>(texels_.size() / planes_));
     shapes_.widths.push_back(static_cast<float>(image.width));
     shapes_.last_rows.push_back(static_cast<float>(image.height - 1));
-    texels_.reserve(texels_.size() + planes_ * (width + 1) * height);
+    const std::size_t before = texels_.size(), size = planes_ * (width + 1) * height;
+    // Room for later images, which are mostly smaller, spares copies of the former ones.
+    if (before + size > texels_.capacity())
+        texels_.reserve(before + size + (before == 0 ? 0 : size) + size / 8);
+    texels_.resize(before + size);
+    glm::vec4* to = &texels_[before];
     for (std::size_t row = 0; row < height; ++row)
         for (std::size_t column = 0; column <= width; ++column)
             for (std::size_t plane = 0; plane < planes_; ++plane)
-                texels_.push_back(image.texels[(plane * height + row) * width + column % width]);
+                *to++ = image.texels[(plane * height + row) * width + (column < width ? column : 0)];
 }
 
 void ImageLevels::look_up(const Places& places, Lanes* out, Slopes* slopes) const {

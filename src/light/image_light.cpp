@@ -42,14 +42,14 @@ ImageLight::ImageLight(EquirectImage image) : image_(std::move(image)) {
 
 Stokes ImageLight::radiance(int channel, const glm::dvec3& towards_light) const {
     check_look_up(*this, channel, towards_light);
-    return look_up(view(), channel, towards_light);
+    return look_up(pixels(), channel, towards_light);
 }
 
 PshVector ImageLight::project(int order) const {
-    return project_equirect(view(), order);
+    return project_equirect(pixels(), order);
 }
 
-EquirectView ImageLight::view() const {
+EquirectView ImageLight::pixels() const noexcept {
     EquirectView view = view_of(image_);
     if (!polarized_) view.components = 1;
     return view;

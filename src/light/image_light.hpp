@@ -25,11 +25,10 @@ public:
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const override;
     [[nodiscard]] PshVector project(int order) const override;
     [[nodiscard]] EquirectImage image() const override { return image_; }
+    /// Returns pixels of one component if the light is unpolarized.
+    [[nodiscard]] EquirectView pixels() const noexcept override;
 
 private:
-    /// Returns a view with one component if the light is unpolarized.
-    [[nodiscard]] EquirectView view() const;
-
     EquirectImage image_;
     bool polarized_ = false;
     bool circular_ = false;

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <span>
 
+#include "light/environment_texels.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/work_space.hpp"
 
@@ -160,8 +161,7 @@ LightPyramid::LightPyramid(const Environment& environment, int most_columns)
       planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4),
       levels_(planes_) {
     const std::unique_ptr<const Environment> tabulated = environment.tabulated();
-    EquirectTexels image =
-        texels_of((tabulated ? *tabulated : environment).image(), components_ > 1, channels_);
+    EquirectTexels image = texels_of(tabulated ? *tabulated : environment, components_ > 1, channels_);
     levels_.add(image);
     double variance = 0;
     while (image.width > most_columns) {

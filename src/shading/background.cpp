@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "light/environment_texels.hpp"
 #include "polarization/lane_points.hpp"
 #include "polarization/view_geometry.hpp"
 #include "simd/dispatch.hpp"
@@ -61,7 +62,7 @@ struct Background::Pixels {
 
 Background::Background(const Environment& environment, int channels)
     : polarized_(environment.polarized()),
-      texels_(texels_of(environment.image(), polarized_, static_cast<std::size_t>(channels))) {}
+      texels_(texels_of(environment, polarized_, static_cast<std::size_t>(channels))) {}
 
 void Background::add(const PixelRays& rays, float scale, std::size_t components, std::size_t first,
                      std::size_t last, std::span<const float> coverage,
