@@ -171,7 +171,9 @@ PATHS = {
     "masked sphere in a corner, area": (MASKED, corner(plastic(), metal(0.3)), LAMP, "volpath"),
     "brushed corner, spot": (plastic(), corner(brushed(plastic(), 0.4, 0.15)), SPOT),
 }
-DEPTHS = (3, 6, nicol.DEPTH_UNLIMITED)
+# Paths end at a depth in the same place whatever the surfaces are, so that one scene shows it at more depths.
+DEPTHS = (3, nicol.DEPTH_UNLIMITED)
+MORE_DEPTHS = {"corner of metal, point": (3, 6, nicol.DEPTH_UNLIMITED)}
 # Tolerated differences of light that is reflected several times, over means of blocks of pixels.
 PATH_LIMITS = numpy.array((0.01, 0.005, 0.005, 0.005))
 BLOCK = 4
@@ -299,8 +301,9 @@ class MitsubaTest(unittest.TestCase):
             for method, (options, *limits) in METHODS.items():
                 with self.subTest(case=case, method=method):
                     print(f"{case}, {method}", end=":")
-                    seeds = (1, 2) if method == "reference" else (1, 1)
-                    self.check([stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
+                    seeds = (1, 2) if method == "reference" else (1,)  # a picture without noise stands for both
+                    ours = [stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds]
+                    self.check([ours[0], ours[-1]], truth, numpy.array(limits))
 
     def test_paths(self):
         """The reference method follows light that surfaces reflect to each other."""
@@ -311,7 +314,7 @@ class MitsubaTest(unittest.TestCase):
 
         for case in PATHS:
             direct = ours(write_paths(self.folder, case, 2), 2)
-            for depth in DEPTHS:
+            for depth in MORE_DEPTHS.get(case, DEPTHS):
                 with self.subTest(case=case, depth=depth):
                     print(f"{case}, depth {depth}", end=":")
                     scene = write_paths(self.folder, case, depth)
