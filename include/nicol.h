@@ -2239,9 +2239,9 @@ typedef struct nicol_gradient {
     uint64_t instances_count; /* number of doubles at instances: instances * channels */
     /* Derivatives of f by the linear values of the texels of `texture`, [row][column][channel of the
      * texture], its look-ups and their means over pixels included. Materials reflect in proportion to the
-     * texture, as by the colour of a diffuse material or by the weight of a blend; what they interpolate by
-     * its values, such as a roughness, is refused, and a tint of a principled material made from it counts as
-     * constant. */
+     * texture, as by the colour of a diffuse material or by the weight of a blend. What they interpolate by
+     * its values, such as a roughness, is refused; tints of principled materials and thicknesses of films
+     * count as constant. */
     nicol_texture texture; /* image whose texels are not all equal; NULL: texels must be NULL, too */
     double* texels;
     uint64_t texels_count; /* number of doubles at texels: rows * columns * channels of the texture */
