@@ -31,8 +31,8 @@ struct Edges {
     Vector3<Number> second, third;
 };
 
-/// Loads the edges of the part that begins at lane `first`. Number: a vector of doubles, because squares of
-/// very small or large edges exceed the range of floats.
+/// Loads the edges of the part that begins at lane `first`. Number: a vector of doubles for triangles of any
+/// size, because squares of very small or large edges exceed the range of floats.
 template <class Number>
 [[gnu::always_inline]] inline Edges<Number> edges_of(const std::array<LaneVectors, 3>& corners,
                                                      std::size_t first) {

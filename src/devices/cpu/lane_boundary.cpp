@@ -87,6 +87,28 @@ template <class Condition, class Number>
     return {condition ? a.a : b.a, condition ? a.b : b.b, condition ? a.c : b.c, condition ? a.d : b.d};
 }
 
+// Squared sine of the angle to the normal below which a ray counts as along it: rounding decides the
+// direction of a smaller product of floats.
+constexpr float kAlong = 1e-8F;
+
+// Determines whether floats are good enough for all triangles: whether none has edges whose squares leave
+// their range, nor is so narrow that its area is their rounding.
+template <class Number>
+[[gnu::always_inline]] inline void find_even(const LaneTriangles& triangles, bool& even) {
+    constexpr float narrow = 1e-5F, small = 1e-30F, large = 1e30F;
+    even = true;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        const Edges<Number> edges = edges_of<Number>(triangles.corners, first);
+        const Vector3<Number> area = cross(edges.second, edges.third);
+        Number a, b, c;
+        dot(area, area, a);
+        dot(edges.second, edges.second, b);
+        dot(edges.third, edges.third, c);
+        const Number both = b * c;
+        even = even && all_lanes(a > narrow * both) && all_lanes(both > small) && all_lanes(both < large);
+    }
+}
+
 template <class Number>
 [[gnu::always_inline]] inline void split_all(const Sides& sides, const BoundaryHits& hits, LaneSplit& out) {
     const Number one = Number{} + 1.0;
@@ -173,7 +195,7 @@ template <class Number>
 
         // The plane of incidence, or any plane that contains a ray along the normal.
         const Vector3<Number> viewer{-ray.x, -ray.y, -ray.z};
-        const Vector3<Number> s_axis = normalized_or(cross(facing, viewer), 1e-20F, received);
+        const Vector3<Number> s_axis = normalized_or(cross(facing, viewer), kAlong, received);
         store_part(s_axis, first, out.s_axes);
         Number c, s;
         dot(received, s_axis, c);
@@ -220,7 +242,14 @@ void take_film(const Split& of, LaneSplit& out) {
 }  // namespace
 
 void split_lanes(const SmoothBoundary& boundary, const BoundaryHits& hits, LaneSplit& out) {
-    dispatch<split_all<FourLanes>, split_all<EightLanes>, split_all<AllLanes>>(Sides(boundary), hits, out);
+    bool even;
+    dispatch<find_even<FourLanes>, find_even<EightLanes>, find_even<AllLanes>>(hits.triangles, even);
+    if (even)
+        dispatch<split_all<FourLanes>, split_all<EightLanes>, split_all<AllLanes>>(Sides(boundary), hits,
+                                                                                   out);
+    else
+        dispatch<split_all<TwoDoubles>, split_all<FourDoubles>, split_all<EightDoubles>>(Sides(boundary),
+                                                                                         hits, out);
     if (boundary.film)
         take_film([&](double cosine, bool inside) { return mean_split_of(boundary, cosine, inside); }, out);
 }
