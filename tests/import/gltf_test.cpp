@@ -312,12 +312,12 @@ TEST_CASE("iridescent materials of glTF have a film, on the share of the surface
                         "\"metallicFactor\":" + std::to_string(metallic));
     };
     const auto metal = as<MetalModel>(with_film("\"iridescenceFactor\":1", 1));
-    CHECK(metal.film.thickness == 400);
-    CHECK(metal.film.eta == std::vector<std::complex<double>>{1.3});
+    CHECK(metal.film.film.thickness == 400);
+    CHECK(metal.film.film.eta == std::vector<std::complex<double>>{1.3});
     const auto plastic = as<CoatedPlasticModel>(
         with_film("\"iridescenceFactor\":1,\"iridescenceIor\":1.8,\"iridescenceThicknessMaximum\":250", 0));
-    CHECK(plastic.film.thickness == 250);
-    CHECK(plastic.film.eta == std::vector<std::complex<double>>{1.8});
+    CHECK(plastic.film.film.thickness == 250);
+    CHECK(plastic.film.film.eta == std::vector<std::complex<double>>{1.8});
     CHECK(plastic.parameters.int_ior == 1.5);
     const auto partly = as<BlendModel>(with_film("\"iridescenceFactor\":0.25", 1));
     CHECK_FALSE(as<MetalModel>(partly.base).film.present());

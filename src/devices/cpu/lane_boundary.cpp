@@ -11,21 +11,22 @@ namespace nicol {
 namespace {
 
 // Index of the far side relative to the ray's, as Fresnel's formulas need it, on the outside and the inside.
+template <class Real>
 struct Sides {
     explicit Sides(const SmoothBoundary& boundary)
         : Sides(boundary, boundary.behind == SmoothBoundary::Behind::slab) {}
 
     bool slab;
-    std::array<float, 2> eta;
-    std::array<RelativeIndex<float>, 2> index;
+    std::array<Real, 2> eta;
+    std::array<RelativeIndex<Real>, 2> index;
 
 private:
     Sides(const SmoothBoundary& boundary, bool is_slab)
         : Sides(is_slab, {boundary.eta, is_slab ? boundary.eta : 1 / boundary.eta}) {}
     Sides(bool is_slab, const std::array<double, 2>& of)
         : slab(is_slab),
-          eta{static_cast<float>(of[0]), static_cast<float>(of[1])},
-          index{RelativeIndex<float>(of[0]), RelativeIndex<float>(of[1])} {}
+          eta{static_cast<Real>(of[0]), static_cast<Real>(of[1])},
+          index{RelativeIndex<Real>(of[0]), RelativeIndex<Real>(of[1])} {}
 };
 
 // Directions of the light that a boundary sends against a ray.
@@ -69,9 +70,9 @@ template <class Number>
 }
 
 // Returns fresnel_transmission() as a block.
-template <class Number>
+template <class Number, class Real>
 [[gnu::always_inline]] inline ReflectionBlock<Number> transmission_block(const Number& cosine,
-                                                                         const RelativeIndex<float>& index) {
+                                                                         const RelativeIndex<Real>& index) {
     ReflectionBlock<Number> out{};
     dielectric_transmission(cosine, index, out.a, out.b);
     out.c = (out.a + out.b) * (out.a - out.b);
@@ -109,8 +110,9 @@ template <class Number>
     }
 }
 
-template <class Number>
-[[gnu::always_inline]] inline void split_all(const Sides& sides, const BoundaryHits& hits, LaneSplit& out) {
+template <class Number, class Real>
+[[gnu::always_inline]] inline void split_all(const Sides<Real>& sides, const BoundaryHits& hits,
+                                             LaneSplit& out) {
     const Number one = Number{} + 1.0;
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         const auto load = [first](const LaneVectors& from) __attribute__((always_inline)) {
@@ -175,7 +177,7 @@ template <class Number>
         // Rays of one beam are mostly on one side.
         const bool all_inside = all_lanes(inside);
         if (all_inside || all_lanes(outside)) {
-            const RelativeIndex<float>& index = sides.index[all_inside ? 1 : 0];
+            const RelativeIndex<Real>& index = sides.index[all_inside ? 1 : 0];
             reflection = dielectric_reflection(cosine, index);
             transmission = transmission_block(cosine, index);
         } else {
@@ -245,11 +247,11 @@ void split_lanes(const SmoothBoundary& boundary, const BoundaryHits& hits, LaneS
     bool even;
     dispatch<find_even<FourLanes>, find_even<EightLanes>, find_even<AllLanes>>(hits.triangles, even);
     if (even)
-        dispatch<split_all<FourLanes>, split_all<EightLanes>, split_all<AllLanes>>(Sides(boundary), hits,
-                                                                                   out);
+        dispatch<split_all<FourLanes, float>, split_all<EightLanes, float>, split_all<AllLanes, float>>(
+            Sides<float>(boundary), hits, out);
     else
-        dispatch<split_all<TwoDoubles>, split_all<FourDoubles>, split_all<EightDoubles>>(Sides(boundary),
-                                                                                         hits, out);
+        dispatch<split_all<TwoDoubles, double>, split_all<FourDoubles, double>,
+                 split_all<EightDoubles, double>>(Sides<double>(boundary), hits, out);
     if (boundary.film)
         take_film([&](double cosine, bool inside) { return mean_split_of(boundary, cosine, inside); }, out);
 }
