@@ -74,7 +74,7 @@ nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
         const nicol_scene_impl& self = resolve(scene);
         const SceneElement given = textured_from(self, element);
         const Edit edit(self);
-        const std::uint32_t added = self.content->scene.add_element(given, given.textures);
+        const std::uint32_t added = self.content->scene.add_element(given);
         if (id != nullptr) *id = added;
     });
 }
@@ -85,7 +85,7 @@ nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id
         const nicol_scene_impl& self = resolve(scene);
         const SceneElement given = textured_from(self, element);
         const Edit edit(self);
-        self.content->scene.set_element(id, given, given.textures);
+        self.content->scene.set_element(id, given);
     });
 }
 

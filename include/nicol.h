@@ -236,11 +236,11 @@ typedef struct nicol_context_options {
     const char* cache_folder;
     /* Limit of the bytes that each scene keeps at run time, including those on the device; default
      * NICOL_NO_LIMIT. The limit covers visibility_bytes and transfer_bytes of the statistics, the OpenGL
-     * buffers of the scene's vertices (without the work space of compute shaders), and the memory beside the
-     * framebuffer for AOVs, several samples and shading at pixels; with the reference method, the scene's
-     * triangles. A render computes an upper bound before it bakes or allocates. If the bound exceeds the
-     * limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message has both numbers. If orders are
-     * automatic, the bound is for the orders 4 and 9. */
+     * buffers of the scene's vertices (without the work space of compute shaders), the textures of
+     * polarization elements, and the memory beside the framebuffer for AOVs, several samples and shading at
+     * pixels; with the reference method, the scene's triangles. A render computes an upper bound before it
+     * bakes or allocates. If the bound exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY,
+     * and the message has both numbers. If orders are automatic, the bound is for the orders 4 and 9. */
     uint64_t memory_limit;
     /* Limit of the bytes of each call that loads from files: 1 or more, or NICOL_NO_LIMIT; default 8 GiB. The
      * limit covers all files together and the data decoded from the files, counted before they are decoded: 4
@@ -1260,19 +1260,20 @@ typedef struct nicol_polarization_element {
     /* Transform from the element's axes to the world: affine, invertible, last row 0 0 0 1; default the
      * identity. */
     double to_world[16];
-    /* Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y; finite,
-     * default 0. The angle has no effect on circular polarizers, which have no axis. */
+    /* Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y, -1e6 to
+     * 1e6, default 0. The angle has no effect on circular polarizers, which have no axis. */
     double angle;
-    /* Retardance of a retarder at normal incidence, degrees; finite, default 90, a quarter-wave plate. */
+    /* Retardance of a retarder at normal incidence, degrees, -1e6 to 1e6, default 90, a quarter-wave plate.
+     */
     double retardance;
     double transmittance; /* factor on the transmittance of the ideal element, 0 to 1, default 1 */
     /* Textures over the square |x| <= 1, |y| <= 1 of the element's axes, with u along x and v
      * along y, as on nicol_mesh_create_rectangle. They are looked up at points, so fringes finer than a pixel
-     * need pixel_samples, and have no colours of a mesh. An element with textures acts on what the camera
-     * sees, not on lights of a file. */
+     * need pixel_samples, and have no colours of a mesh. Each value times the number lies in the number's
+     * range. An element with textures acts on what the camera sees, not on lights of a file. */
     nicol_texture angle_texture; /* factor on angle, in the first channel; NULL, the default: 1 */
-    /* Factor on retardance: one channel, or red, green and blue, as of a plate whose retardance is a length;
-     * NULL, the default: 1. */
+    /* Factor on the retardance of a retarder: one channel, or red, green and blue, as of a plate whose
+     * retardance is a length; NULL, the default: 1. */
     nicol_texture retardance_texture;
 } nicol_polarization_element;
 /* clang-format off */

@@ -51,13 +51,13 @@ DeviceElement on_device(const PlacedElement& placed, const glm::dvec3& eye, cons
 }
 
 // Adds the textures of an element to a table. Returns their words.
-ElementWords words_of(const SceneElement& element, TextureTable& table) {
+ElementWords words_of(const ElementTextures& of, TextureTable& table) {
     const auto word = [&](const TexturePtr& texture) {
         if (texture == nullptr) return kNoTexture;
         return static_cast<std::uint32_t>(TextureTable::kWords) * table.number_of(texture);
     };
-    const std::uint32_t angle = word(element.textures.angle);
-    return {.angle = angle, .retardance = word(element.textures.retardance)};
+    const std::uint32_t angle = word(of.angle);
+    return {.angle = angle, .retardance = word(of.retardance)};
 }
 
 void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
@@ -74,7 +74,7 @@ void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
 
 std::uint64_t ElementPainter::bytes(const Scene& scene) {
     TextureTable textures;
-    for (const SceneElement& element : scene.elements()) words_of(element, textures);
+    for (const SceneElement& element : scene.elements()) words_of(element.textures, textures);
     return sizeof(DeviceElement) * scene.elements().size() + sizeof(float) * textures.texels();
 }
 
@@ -83,7 +83,10 @@ void ElementPainter::prepare(const Scene& scene, const RefinedSurfaces& surfaces
     check_storage(*context_, surfaces.geometry());
     projection_ = in_axes(projection, surfaces.to_world());
     const glm::dmat4 from_world = inverse_motion(surfaces.to_world());
-    textures_stage_.run(scene.element_version(), [&] { prepare_textures(scene); });
+    std::vector<ElementTextures> of_elements;
+    of_elements.reserve(scene.elements().size());
+    for (const SceneElement& element : scene.elements()) of_elements.push_back(element.textures);
+    textures_stage_.run(of_elements, [&] { prepare_textures(of_elements); });
     std::vector<DeviceElement> elements;
     elements.reserve(words_.size());
     for (std::size_t i = 0; i < words_.size(); ++i)
@@ -95,13 +98,13 @@ void ElementPainter::prepare(const Scene& scene, const RefinedSurfaces& surfaces
         static_cast<void>(program(std::min(Framebuffer::kGroup, target.channels() - first), samples));
 }
 
-void ElementPainter::prepare_textures(const Scene& scene) {
+void ElementPainter::prepare_textures(const std::vector<ElementTextures>& of_elements) {
     texture_table_.reset();
     texels_.reset();
     words_.clear();
     TextureTable textures;
-    words_.reserve(scene.elements().size());
-    for (const SceneElement& element : scene.elements()) words_.push_back(words_of(element, textures));
+    words_.reserve(of_elements.size());
+    for (const ElementTextures& of : of_elements) words_.push_back(words_of(of, textures));
     if (textures.count() == 0) return;
     const std::size_t most = context_->limits().storage_bytes / sizeof(float);
     if (textures.texels() > most)

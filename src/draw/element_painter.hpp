@@ -45,17 +45,17 @@ public:
               Framebuffer& target);
 
 private:
-    void prepare_textures(const Scene& scene);
+    void prepare_textures(const std::vector<ElementTextures>& of_elements);
     gl::Program& program(int channels, int samples);
 
     std::shared_ptr<gl::Context> context_;
     // By number of channels that are drawn at once, of samples, and by whether there are textures.
     std::map<std::tuple<int, int, bool>, gl::Program> programs_;
     std::optional<gl::Buffer> elements_;
-    Stage<Version> textures_stage_;
-    std::vector<ElementWords> words_;                   // of each element
-    std::optional<gl::Buffer> texture_table_, texels_;  // empty: there are no textures
-    Projection projection_;                             // projection of the surfaces' axes
+    Stage<std::vector<ElementTextures>> textures_stage_;  // keeps them, so that no other has their address
+    std::vector<ElementWords> words_;                     // of each element
+    std::optional<gl::Buffer> texture_table_, texels_;    // empty: there are no textures
+    Projection projection_;                               // projection of the surfaces' axes
 };
 
 }  // namespace nicol

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <string>
 
 #include "arguments.hpp"
@@ -35,9 +36,15 @@ Mueller along_axis(const PolarizationElement& element, double retardance) {
 
 }  // namespace
 
+void check_element_angle(double radians, std::string_view name) {
+    if (!(std::abs(radians) <= kLargestElementAngle))
+        refuse(std::string(name) + " is " + std::to_string(glm::degrees(radians)) +
+               " degrees; it must lie in -1000000 to 1000000");
+}
+
 void check(const PolarizationElement& element) {
-    if (!std::isfinite(element.angle)) refuse("angle of an element is not finite");
-    if (!std::isfinite(element.retardance)) refuse("retardance of an element is not finite");
+    check_element_angle(element.angle, "angle of an element");
+    check_element_angle(element.retardance, "retardance of an element");
     if (!(element.transmittance >= 0 && element.transmittance <= 1))
         refuse("transmittance of an element is " + std::to_string(element.transmittance) +
                "; it must lie in 0 to 1");
@@ -76,9 +83,9 @@ std::optional<ElementCrossing> PlacedElement::crossing(const glm::dvec3& origin,
 
 Mueller PlacedElement::mueller(const Frame& received, double angle, double retardance) const {
     const glm::dvec3 along = axis(angle);
-    const double turn = std::atan2(glm::dot(along, received[1]), glm::dot(along, received[0]));
+    const double rotation = std::atan2(glm::dot(along, received[1]), glm::dot(along, received[0]));
     const double cosine = std::abs(glm::dot(normal_, received[2]));
-    return in_rotated_frames(along_axis(element_, retardance * cosine), -turn, -turn);
+    return in_rotated_frames(along_axis(element_, retardance * cosine), -rotation, -rotation);
 }
 
 }  // namespace nicol

@@ -6,10 +6,15 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 #include <optional>
+#include <string_view>
 
 #include "polarization/mueller.hpp"
 
 namespace nicol {
+
+/// Largest size of an angle and of a retardance, in radians: a million degrees with room for rounding.
+/// Floats keep the fraction of so many turns.
+inline constexpr double kLargestElementAngle = 1.000001e6 * std::numbers::pi / 180;
 
 /// Polarization element. Light passes through it in both directions with equal effect and without a change of
 /// direction. In its local coordinates the element lies in the plane z = 0 about the origin.
@@ -23,13 +28,17 @@ struct PolarizationElement {
     Outline outline = Outline::rectangle;
     glm::dmat4 to_world{1.0};  ///< transform from local to world coordinates; affine and invertible
     /// Angle of a polarizer's transmission axis or a retarder's fast axis, in radians, from x towards y of
-    /// PlacedElement. Circular polarizers ignore the angle.
+    /// PlacedElement, at most kLargestElementAngle in size. Circular polarizers ignore the angle.
     double angle = 0;
-    /// Retardance of a retarder at normal incidence, in radians; pi/2 is a quarter-wave plate.
+    /// Retardance of a retarder at normal incidence, in radians, at most kLargestElementAngle in size; pi/2
+    /// is a quarter-wave plate.
     double retardance = std::numbers::pi / 2;
     double transmittance = 1;  ///< factor on the transmittance of the ideal element, 0 to 1
     bool operator==(const PolarizationElement&) const = default;
 };
+
+/// Throws Error(invalid_argument) that has the name unless a number is an angle of an element in radians.
+void check_element_angle(double radians, std::string_view name);
 
 /// Throws Error(invalid_argument) that names the member that is out of range. Does not check to_world.
 void check(const PolarizationElement& element);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <string>
 #include <utility>
@@ -28,6 +29,22 @@ void check_transform(const glm::dmat4& m) {
     if (!std::isfinite(determinant) || determinant == 0) refuse("to_world cannot be inverted");
 }
 
+// Returns the size of the largest number of a texture without colours of a mesh.
+double largest_of(const Texture& texture) {
+    const glm::vec2 first = glm::abs(texture.range());
+    float largest = std::max(first.x, first.y);
+    if (texture.channels() == 1) return static_cast<double>(largest);
+    const TextureDescription description = texture.describe();
+    const auto take = [&](float value) { largest = std::max(largest, std::abs(value)); };
+    for (const glm::vec4& color : description.colors) {
+        take(color.x);
+        take(color.y);
+        take(color.z);
+    }
+    if (!description.levels.empty()) std::ranges::for_each(description.levels.front().values, take);
+    return static_cast<double>(largest);
+}
+
 void check_element(const SceneElement& element) {
     check(element);
     check_transform(element.to_world);
@@ -41,6 +58,11 @@ void check_element(const SceneElement& element) {
     check_texture(textures.retardance, "the texture of the retardance");
     if (textures.retardance != nullptr && textures.retardance->channels() == 4)
         refuse("the texture of the retardance of an element has 4 channels; it must have 1 or 3");
+    const auto check_product = [](double number, const TexturePtr& texture, const char* name) {
+        if (texture != nullptr) check_element_angle(number * largest_of(*texture), name);
+    };
+    check_product(element.angle, textures.angle, "the angle of an element times its texture");
+    check_product(element.retardance, textures.retardance, "the retardance of an element times its texture");
 }
 
 void check_channels(const char* part, int channels, int others) {
@@ -239,14 +261,13 @@ void Scene::hide_emitters(bool hide) {
     emission_version_ = new_version();
 }
 
-std::uint32_t Scene::add_element(const PolarizationElement& element, ElementTextures textures) {
+std::uint32_t Scene::add_element(SceneElement element) {
     const std::uint32_t id = elements_.next();
-    SceneElement added(element, std::move(textures));
-    check_element(added);
-    const int channels = added.channels();
+    check_element(element);
+    const int channels = element.channels();
     check_channels("element", channels, channels_.largest());
     channels_.make_room(channels);
-    elements_.add(std::move(added));
+    elements_.add(std::move(element));
     channels_.add(channels);
     element_version_ = new_version();
     return id;
@@ -258,17 +279,17 @@ void Scene::remove_element(std::uint32_t id) {
     element_version_ = new_version();
 }
 
-void Scene::set_element(std::uint32_t id, const PolarizationElement& element, ElementTextures textures) {
+void Scene::set_element(std::uint32_t id, SceneElement element) {
     SceneElement& changed = elements_[elements_.index_of(id)];
-    SceneElement given(element, std::move(textures));
-    check_element(given);
+    check_element(element);
     const int before = changed.channels();
-    check_channels("element", given.channels(), channels_.largest_without(before));
-    if (changed == given) return;
-    channels_.make_room(given.channels());
-    channels_.add(given.channels());
+    const int channels = element.channels();
+    check_channels("element", channels, channels_.largest_without(before));
+    if (changed == element) return;
+    channels_.make_room(channels);
+    channels_.add(channels);
     channels_.remove(before);
-    changed = std::move(given);
+    changed = std::move(element);
     element_version_ = new_version();
 }
 

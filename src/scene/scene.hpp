@@ -156,11 +156,11 @@ public:
     /// Polarization elements, through which the camera sees the surfaces behind them. Elements cast no
     /// shadow, and light that surfaces receive does not pass through them. The functions throw what check()
     /// throws, and Error(invalid_argument) for unknown ids, for a transform that is not affine and
-    /// invertible, for textures with colours of a mesh, and for channels of a retardance that do not fit the
-    /// scene's.
-    std::uint32_t add_element(const PolarizationElement& element, ElementTextures textures = {});
+    /// invertible, for textures with colours of a mesh or that make a number too large, and for channels of a
+    /// retardance that do not fit the scene's.
+    std::uint32_t add_element(SceneElement element);
     void remove_element(std::uint32_t id);
-    void set_element(std::uint32_t id, const PolarizationElement& element, ElementTextures textures = {});
+    void set_element(std::uint32_t id, SceneElement element);
     [[nodiscard]] const SceneElement& element(std::uint32_t id) const { return elements_.at(id); }
     [[nodiscard]] const std::vector<SceneElement>& elements() const noexcept { return elements_.values(); }
     /// Returns the ids of elements(), ascending.

@@ -20,7 +20,7 @@ struct ElementTextures {
 
 /// Polarization element of a scene.
 struct SceneElement : PolarizationElement {
-    SceneElement(const PolarizationElement& element, ElementTextures with)
+    SceneElement(const PolarizationElement& element, ElementTextures with = {})
         : PolarizationElement(element), textures(std::move(with)) {}
 
     ElementTextures textures;
@@ -29,9 +29,9 @@ struct SceneElement : PolarizationElement {
     [[nodiscard]] bool textured() const noexcept {
         return textures.angle != nullptr || textures.retardance != nullptr;
     }
-    /// Returns the number of colour channels: 3 if the retardance is that of red, green and blue.
+    /// Returns the number of colour channels: 3 for a retarder of red, green and blue.
     [[nodiscard]] int channels() const noexcept {
-        return textures.retardance != nullptr ? textures.retardance->channels() : 1;
+        return kind == Kind::retarder && textures.retardance != nullptr ? textures.retardance->channels() : 1;
     }
 };
 

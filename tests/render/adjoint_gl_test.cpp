@@ -317,7 +317,7 @@ GL_TEST_CASE("the adjoint refuses what it does not transpose") {
          [](auto&, auto& s) {
              s.set_material(0, rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0}));
          }},
-        {"elements", [](auto&, auto& s) { s.add_element({}); }},
+        {"elements", [](auto&, auto& s) { s.add_element(PolarizationElement{}); }},
         {"background", [](auto&, auto& s) { s.hide_emitters(false); }},
         {"split_lights",
          [](auto& o, auto& s) {

@@ -69,34 +69,35 @@ void add_elements(Scene& scene) {
     const auto tilted = [](double x, double y, double z, double size, double angle, const glm::dvec3& axis) {
         return glm::rotate(at(x, y, z, size), angle, axis);
     };
-    scene.add_element({.kind = Kind::polarizer,
-                       .to_world = tilted(0.4, 0.6, 1, 0.9, 0.8, {1, 2, 0.3}),
-                       .angle = 0.5,
-                       .transmittance = 0.9});
-    scene.add_element({.kind = Kind::retarder,
-                       .to_world = tilted(0.5, 0.4, 1, 0.8, -0.4, {0.3, 1, 1}),
-                       .angle = -0.3,
-                       .retardance = 1.2});
-    scene.add_element({.kind = Kind::left_circular,
-                       .outline = PolarizationElement::Outline::disk,
-                       .to_world = tilted(0.2, 0, 0.1, 1.2, 1.1, {0.2, 1, 0})});
-    scene.add_element({.kind = Kind::right_circular,
-                       .outline = PolarizationElement::Outline::disk,
-                       .to_world = tilted(-1, 1, 1, 0.5, 0.7, {0, 1, 0})});
+    scene.add_element(PolarizationElement{.kind = Kind::polarizer,
+                                          .to_world = tilted(0.4, 0.6, 1, 0.9, 0.8, {1, 2, 0.3}),
+                                          .angle = 0.5,
+                                          .transmittance = 0.9});
+    scene.add_element(PolarizationElement{.kind = Kind::retarder,
+                                          .to_world = tilted(0.5, 0.4, 1, 0.8, -0.4, {0.3, 1, 1}),
+                                          .angle = -0.3,
+                                          .retardance = 1.2});
+    scene.add_element(PolarizationElement{.kind = Kind::left_circular,
+                                          .outline = PolarizationElement::Outline::disk,
+                                          .to_world = tilted(0.2, 0, 0.1, 1.2, 1.1, {0.2, 1, 0})});
+    scene.add_element(PolarizationElement{.kind = Kind::right_circular,
+                                          .outline = PolarizationElement::Outline::disk,
+                                          .to_world = tilted(-1, 1, 1, 0.5, 0.7, {0, 1, 0})});
     const auto map = [](int channels, TextureSampling::Filter filter) {
         TextureImage image{.width = 7, .height = 5, .channels = channels, .values = {}};
         for (int i = 0; i < 35 * channels; ++i)
             image.values.push_back(0.9F + 0.6F * std::sin(2.3F * float(i)));
         return image_texture(std::move(image), {.filter = filter});
     };
-    scene.add_element({.kind = Kind::retarder,
-                       .to_world = tilted(-0.3, -0.2, 1.2, 0.9, 0.5, {1, 0.4, 0.2}),
-                       .angle = 0.6,
-                       .retardance = 1.4},
-                      {.angle = map(1, TextureSampling::Filter::mipmap),
-                       .retardance = map(3, TextureSampling::Filter::bilinear)});
-    scene.add_element({.to_world = tilted(0.9, -0.5, 0.8, 0.4, -0.3, {1, 0, 0.2}), .angle = 1},
-                      {.angle = checkerboard_texture(glm::vec3(0.2F), glm::vec3(1.1F), 1)});
+    scene.add_element({PolarizationElement{.kind = Kind::retarder,
+                                           .to_world = tilted(-0.3, -0.2, 1.2, 0.9, 0.5, {1, 0.4, 0.2}),
+                                           .angle = 0.6,
+                                           .retardance = 1.4},
+                       {.angle = map(1, TextureSampling::Filter::mipmap),
+                        .retardance = map(3, TextureSampling::Filter::bilinear)}});
+    scene.add_element(
+        {PolarizationElement{.to_world = tilted(0.9, -0.5, 0.8, 0.4, -0.3, {1, 0, 0.2}), .angle = 1},
+         {.angle = checkerboard_texture(glm::vec3(0.2F), glm::vec3(1.1F), 1)}});
 }
 
 /// Counts pixels that differ from `wanted` by more than 1e-4 of its brightest value. Such pixels lie at edges
@@ -186,12 +187,12 @@ IMAGE_TEST_CASE("a stressed sheet between crossed polarizers shows sin^2 2 theta
         scene.set_environment(constant_environment({2}), glm::dmat3(1), 1);
         scene.add_element(across(Kind::polarizer, 0, -1));
         scene.add_element(
-            {.kind = Kind::retarder,
-             .to_world = glm::scale(glm::dmat4(1), {1, double(rows) / columns, 1}),
-             .angle = 0.5,
-             .retardance = 2},
-            {.angle = map(1, [&](int x, int y, int c) { return fast(x, y, c) / 0.5; }),
-             .retardance = map(channels, [&](int x, int y, int c) { return delta(x, y, c) / 2; })});
+            {PolarizationElement{.kind = Kind::retarder,
+                                 .to_world = glm::scale(glm::dmat4(1), {1, double(rows) / columns, 1}),
+                                 .angle = 0.5,
+                                 .retardance = 2},
+             {.angle = map(1, [&](int x, int y, int c) { return fast(x, y, c) / 0.5; }),
+              .retardance = map(channels, [&](int x, int y, int c) { return delta(x, y, c) / 2; })}});
         scene.add_element(across(Kind::polarizer, 90, 1));
         CHECK(scene.channels() == channels);
         for (const Way& way : every_way()) {
@@ -232,9 +233,9 @@ IMAGE_TEST_CASE(
         };
         scene.set_element(id, sheet);
         CHECK(first(0) == doctest::Approx(0.5).epsilon(1e-3));
-        scene.set_element(id, sheet, with(glm::vec3(2), 1));
+        scene.set_element(id, {sheet, with(glm::vec3(2), 1)});
         CHECK(first(0) == doctest::Approx(1).epsilon(1e-3));
-        scene.set_element(id, sheet, with({0, 1, 2}, 3));
+        scene.set_element(id, {sheet, with({0, 1, 2}, 3)});
         for (const int channel : {0, 1, 2})
             CHECK(first(channel) == doctest::Approx(0.5 * channel).epsilon(1e-3));
     }
@@ -315,8 +316,9 @@ IMAGE_TEST_CASE("each pixel is what its elements make of what is behind") {
 IMAGE_TEST_CASE("samples of a pixel have each their own elements") {
     Scene scene;
     scene.set_environment(constant_environment({2}), glm::dmat3(1), 1);
-    scene.add_element({.to_world = glm::rotate(at(0.1, -0.2, 0, 0.6), 0.5, {0.3, 0.2, 1}), .angle = 0.2});
-    scene.add_element({.to_world = at(-0.4, 0.1, 0.5, 0.6), .angle = 1.3});
+    scene.add_element(PolarizationElement{.to_world = glm::rotate(at(0.1, -0.2, 0, 0.6), 0.5, {0.3, 0.2, 1}),
+                                          .angle = 0.2});
+    scene.add_element(PolarizationElement{.to_world = at(-0.4, 0.1, 0.5, 0.6), .angle = 1.3});
     const Camera camera = camera_at({0, 0, 4});
     for (const Way& way : every_way()) {
         if (way.options.method == Method::reference) continue;
@@ -369,32 +371,72 @@ IMAGE_TEST_CASE("methods agree behind elements") {
 TEST_CASE("elements of a scene have ids, and are checked") {
     Scene scene;
     const Version before = scene.element_version();
-    CHECK(scene.add_element({}) == 0);
-    CHECK(scene.add_element({.kind = Kind::retarder}) == 1);
+    CHECK(scene.add_element(PolarizationElement{}) == 0);
+    CHECK(scene.add_element(PolarizationElement{.kind = Kind::retarder}) == 1);
     CHECK(scene.element_version() > before);
     scene.remove_element(0);
     CHECK(scene.element_ids() == std::vector<std::uint32_t>{1});
     CHECK(scene.element(1).kind == Kind::retarder);
     const auto refused = ErrorCode::invalid_argument;
     check_error(refused, CALL(scene.element(0)), "no element 0; it was removed");
-    check_error(refused, CALL(scene.set_element(2, {})), "no element 2");
-    check_error(refused, CALL(scene.set_element(1, {.transmittance = 2})), "transmittance");
-    check_error(refused, CALL(scene.add_element({.to_world = glm::dmat4(0.0)})), "to_world");
+    check_error(refused, CALL(scene.set_element(2, PolarizationElement{})), "no element 2");
+    check_error(refused, CALL(scene.set_element(1, PolarizationElement{.transmittance = 2})),
+                "transmittance");
+    check_error(refused, CALL(scene.add_element(PolarizationElement{.to_world = glm::dmat4(0.0)})),
+                "to_world");
     const TexturePtr of_mesh = mesh_color_texture(ColorsOf::vertices);
-    check_error(refused, CALL(scene.add_element({}, {.angle = of_mesh})),
+    const PolarizationElement polarizer, retarder{.kind = Kind::retarder};
+    check_error(refused, CALL(scene.add_element({polarizer, {.angle = of_mesh}})),
                 "angle of an element has the colours");
-    check_error(refused, CALL(scene.set_element(1, {}, {.retardance = of_mesh})),
+    check_error(refused, CALL(scene.set_element(1, {retarder, {.retardance = of_mesh}})),
                 "retardance of an element has");
-    check_error(refused, CALL(scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 4)})),
+    const auto colors = [](int channels) {
+        return ElementTextures{.retardance = constant_texture(glm::vec4(1), channels)};
+    };
+    check_error(refused, CALL(scene.add_element({retarder, colors(4)})),
                 "has 4 channels; it must have 1 or 3");
     CHECK(scene.channels() == 1);
-    const std::uint32_t colored = scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 3)});
+    const std::uint32_t colored = scene.add_element({retarder, colors(3)});
     CHECK(scene.channels() == 3);
+    scene.set_element(colored, {polarizer, colors(3)});  // without an effect
+    CHECK(scene.channels() == 1);
     scene.remove_element(colored);
     CHECK(scene.channels() == 1);
     scene.set_environment(constant_environment({1, 2}), glm::dmat3(1), 1);
-    check_error(refused, CALL(scene.add_element({}, {.retardance = constant_texture(glm::vec4(1), 3)})),
+    check_error(refused, CALL(scene.add_element({retarder, colors(3)})),
                 "the element has 3 colour channels and the scene 2");
     CHECK(scene.element(1).transmittance == 1);
     CHECK(scene.elements().size() == 1);
+}
+
+TEST_CASE(
+    "angles and retardances of elements, and their textures' multiples of them, keep to a million degrees") {
+    Scene scene;
+    const auto refused = [&](const SceneElement& element, const char* part) {
+        CAPTURE(part);
+        check_error(ErrorCode::invalid_argument, CALL(scene.add_element(element)), part);
+    };
+    const auto retarder = [](double degrees) {
+        return PolarizationElement{.kind = Kind::retarder, .retardance = glm::radians(degrees)};
+    };
+    for (const double sign : {-1.0, 1.0}) {
+        scene.add_element(retarder(sign * 1e6));
+        scene.add_element(PolarizationElement{.angle = glm::radians(sign * 1e6)});
+        refused(retarder(sign * 1.1e6), "retardance of an element is");
+        refused(PolarizationElement{.angle = sign * 1e300}, "angle of an element is");
+    }
+    refused(retarder(std::nan("")), "retardance of an element is");
+    const auto image = [](int channels, std::vector<float> values) {
+        return image_texture({.width = 2, .height = 1, .channels = channels, .values = std::move(values)});
+    };
+    const TexturePtr large = image(1, {0, -4e5F}), blue = image(3, {0, 0, 0, 0, 0, 4e5F});
+    for (const TexturePtr& texture : {large, blue}) {
+        scene.add_element({retarder(2), {.retardance = texture}});
+        refused({retarder(3), {.retardance = texture}}, "retardance of an element times its texture");
+    }
+    scene.add_element({PolarizationElement{.angle = glm::radians(2.0)}, {.angle = large}});
+    refused({PolarizationElement{.angle = glm::radians(3.0)}, {.angle = large}},
+            "angle of an element times its texture");
+    const TexturePtr board = checkerboard_texture(glm::vec3(0), glm::vec3(1e30F), 1);
+    refused({retarder(1), {.retardance = board}}, "retardance of an element times its texture");
 }

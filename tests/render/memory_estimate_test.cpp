@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests of what the memory limit says of light that smooth surfaces focus.
+// Tests of what the memory limit says of light that smooth surfaces focus, and of textures of elements.
 #include "render/memory_estimate.hpp"
 
 #include "material/dielectric.hpp"
@@ -46,6 +46,35 @@ TEST_CASE("light that a mirror focuses leaves the limit of refinement nearly as 
     CHECK(static_cast<double>(most(mirror(), 128 * kMegabyte + focused)) ==
           doctest::Approx(static_cast<double>(plain)).epsilon(0.1));
     CHECK(most(mirror(), 256 * kMegabyte) > plain);
+}
+
+TEST_CASE("the memory beside an image has the textures of elements, and one that several share once") {
+    Scene scene = lit_ball(diffuse({0.5}));
+    const RenderOptions options;
+    const auto image = [&] { return image_memory(scene, options, 64, 64); };
+    const auto map = [](int width, int height, int channels) {
+        const auto values = static_cast<std::size_t>(width * height * channels);
+        return image_texture({.width = width,
+                              .height = height,
+                              .channels = channels,
+                              .values = std::vector<float>(values, 1)});
+    };
+    const PolarizationElement retarder{.kind = PolarizationElement::Kind::retarder};
+    const std::uint32_t id = scene.add_element(retarder);
+    const std::uint64_t plain = image();
+    const TexturePtr angle = map(30, 20, 1);
+    scene.set_element(id, {retarder, {.angle = angle}});
+    const std::uint64_t texels = image() - plain;
+    CHECK(texels == 4 * 30 * 20);
+    scene.set_element(id, {retarder, {.angle = angle, .retardance = angle}});
+    CHECK(image() - plain == texels);
+    const std::uint32_t other = scene.add_element(retarder);
+    const std::uint64_t two = image();
+    CHECK(two > plain + texels);
+    scene.set_element(other, {retarder, {.retardance = angle}});
+    CHECK(image() == two);
+    scene.set_element(other, {retarder, {.retardance = map(50, 10, 3)}});
+    CHECK(image() - two == 3 * 4 * 50 * 10);
 }
 
 TEST_CASE("a refined scene asks for the memory of focused light once") {

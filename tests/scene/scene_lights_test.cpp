@@ -114,7 +114,7 @@ TEST_CASE("a light, an emission or an element with equal values is no change") {
     Scene scene;
     const std::uint32_t id = scene.add(square());
     const std::uint32_t light = scene.add_light({.value = {2}});
-    const std::uint32_t element = scene.add_element({.angle = 1});
+    const std::uint32_t element = scene.add_element(PolarizationElement{.angle = 1});
     scene.set_emission(id, emission({1}));
     const auto versions = [&] {
         return std::array{scene.local_light_version(), scene.emission_version(), scene.element_version()};
@@ -122,10 +122,10 @@ TEST_CASE("a light, an emission or an element with equal values is no change") {
     const auto before = versions();
     scene.set_light(light, {.value = {2}});
     scene.set_emission(id, emission({1}));
-    scene.set_element(element, {.angle = 1});
+    scene.set_element(element, PolarizationElement{.angle = 1});
     CHECK(versions() == before);
     scene.set_light(light, {.value = {2}, .beam_width = 0.1});
     scene.set_emission(id, emission({1.5}));
-    scene.set_element(element, {.angle = 2});
+    scene.set_element(element, PolarizationElement{.angle = 2});
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(versions()[i] != before[i]);
 }

@@ -254,11 +254,11 @@ class ContextOptions(Struct):
         the log, not an error.
     memory_limit: Limit of the bytes that each scene keeps at run time, including those on the device; default
         NICOL_NO_LIMIT. The limit covers visibility_bytes and transfer_bytes of the statistics, the OpenGL
-        buffers of the scene's vertices (without the work space of compute shaders), and the memory beside the
-        framebuffer for AOVs, several samples and shading at pixels; with the reference method, the scene's
-        triangles. A render computes an upper bound before it bakes or allocates. If the bound exceeds the
-        limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message has both numbers. If orders are
-        automatic, the bound is for the orders 4 and 9.
+        buffers of the scene's vertices (without the work space of compute shaders), the textures of
+        polarization elements, and the memory beside the framebuffer for AOVs, several samples and shading at
+        pixels; with the reference method, the scene's triangles. A render computes an upper bound before it
+        bakes or allocates. If the bound exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY,
+        and the message has both numbers. If orders are automatic, the bound is for the orders 4 and 9.
     load_bytes_limit: Limit of the bytes of each call that loads from files: 1 or more, or NICOL_NO_LIMIT; default 8 GiB. The
         limit covers all files together and the data decoded from the files, counted before they are decoded: 4
         bytes per value of an image, 16 more per pixel of a texture, 16 per pixel and channel of an
@@ -1252,13 +1252,13 @@ class PolarizationElement(Struct):
     outline: outline, default rectangle
     to_world: Transform from the element's axes to the world: affine, invertible, last row 0 0 0 1; default the
         identity.
-    angle: Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y; finite,
-        default 0. The angle has no effect on circular polarizers, which have no axis.
-    retardance: Retardance of a retarder at normal incidence, degrees; finite, default 90, a quarter-wave plate.
+    angle: Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y, -1e6 to
+        1e6, default 0. The angle has no effect on circular polarizers, which have no axis.
+    retardance: Retardance of a retarder at normal incidence, degrees, -1e6 to 1e6, default 90, a quarter-wave plate.
     transmittance: factor on the transmittance of the ideal element, 0 to 1, default 1
     angle_texture: factor on angle, in the first channel; NULL, the default: 1
-    retardance_texture: Factor on retardance: one channel, or red, green and blue, as of a plate whose retardance is a length;
-        NULL, the default: 1."""
+    retardance_texture: Factor on the retardance of a retarder: one channel, or red, green and blue, as of a plate whose
+        retardance is a length; NULL, the default: 1."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
