@@ -72,7 +72,7 @@ class Call:
 
     def take(self, parameter, item, optional=None, hint="Any"):
         """Adds a parameter, which is optional only if it is the last one."""
-        nullable = hint != "Any" and (optional == "None" or "NULL" in self.function.doc)
+        nullable = hint not in ("Any", "int", "float") and (optional == "None" or "NULL" in self.function.doc)
         item = f"{item}: {hint} | None" if nullable else f"{item}: {hint}"
         self.takes.append(f"{item} = {optional}" if optional and parameter is self.last else item)
 

@@ -2586,7 +2586,7 @@ class Material(Handle):
         return material
 
     @classmethod
-    def create_rotated(cls, context: Context | None, base: Material | None, directions: Texture | None, angle: float | None) -> Self:
+    def create_rotated(cls, context: Context | None, base: Material | None, directions: Texture | None, angle: float) -> Self:
         """Creates a material whose anisotropic parts are rotated within the surface, as by glTF's
         KHR_materials_anisotropy. directions is a raw texture with values t, or NULL: the first two of 2 t - 1 are
         the direction in which u would grow, in the frame of x along growing u and y to where v falls. angle, in
@@ -2804,7 +2804,7 @@ class Scene(Handle):
         """Removes an instance. The id is not used again; other instances keep their ids."""
         check(_scene_remove_instance(self, id))
 
-    def get_instance(self, id: int | None) -> tuple[Mesh | None, Material | None, tuple[float, ...]]:
+    def get_instance(self, id: int) -> tuple[Mesh | None, Material | None, tuple[float, ...]]:
         """Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
         three may be NULL."""
         mesh = Mesh()
@@ -2832,7 +2832,7 @@ class Scene(Handle):
         ids = Buffer(ids, c_uint32, writable=True)
         check(_scene_get_instance_ids(self, ids.pointer, ids.count))
 
-    def set_environment(self, environment: Environment | None, to_world: Any, scale: float | None) -> None:
+    def set_environment(self, environment: Environment | None, to_world: Any, scale: float) -> None:
         """Sets the environment; NULL: darkness. to_world is a proper rotation of the environment; NULL: identity.
         scale is a factor on the radiance, finite and not negative; 1: no change; 0: darkness."""
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
@@ -2872,7 +2872,7 @@ class Scene(Handle):
         """Removes a light. The id is not used again; other lights keep their ids."""
         check(_scene_remove_light(self, id))
 
-    def get_light(self, id: int | None) -> tuple[Light, Texture | None]:
+    def get_light(self, id: int) -> tuple[Light, Texture | None]:
         """Gets a light as it was given. *texture, and not light->texture, is the light's texture as a handle to
         release, or NULL if the light has none. texture may be NULL."""
         light = Light()
@@ -2891,7 +2891,7 @@ class Scene(Handle):
         ids = Buffer(ids, c_uint32, writable=True)
         check(_scene_get_light_ids(self, ids.pointer, ids.count))
 
-    def set_emission(self, id: int | None, emission: Emission | None) -> None:
+    def set_emission(self, id: int, emission: Emission | None) -> None:
         """Sets the emission of the instance `id`; NULL: the instance emits no light. A texture needs texture
         coordinates of the mesh. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
         range."""
@@ -2922,13 +2922,13 @@ class Scene(Handle):
         """Removes a polarization element. The id is not used again; other elements keep their ids."""
         check(_scene_remove_polarization_element(self, id))
 
-    def get_polarization_element(self, id: int | None) -> PolarizationElement:
+    def get_polarization_element(self, id: int) -> PolarizationElement:
         """Gets a polarization element as it was given, but for its textures, which are NULL."""
         element = PolarizationElement()
         check(_scene_get_polarization_element(self, id, byref(element)))
         return element
 
-    def get_polarization_element_textures(self, id: int | None) -> tuple[Texture | None, Texture | None]:
+    def get_polarization_element_textures(self, id: int) -> tuple[Texture | None, Texture | None]:
         """Gets the textures of a polarization element as handles to release; NULL for none. angle or retardance may
         be NULL."""
         angle = Texture()
@@ -3207,7 +3207,7 @@ def version_string() -> str:
     return decoded(_version_string())
 
 
-def build_info(index: int | None) -> str | None:
+def build_info(index: int) -> str | None:
     """Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
     index counts from 0; an index past the last property gives NULL. "files" lists the kinds of files that the
     build reads: exr, bitmaps, mesh_files and scene_files may be left out; calls for the others fail with
@@ -3322,7 +3322,7 @@ def psh_project_environment(environment: Environment, order: int, coefficients: 
     check(_psh_project_environment(environment, order, coefficients.pointer, coefficients.count))
 
 
-def psh_project_file(path: str | os.PathLike[str] | None, order: int | None, coefficients: Any = None) -> int:
+def psh_project_file(path: str | os.PathLike[str] | None, order: int, coefficients: Any = None) -> int:
     """Projects a file that nicol_environment_load can read to coefficients, one vector per channel, in the
     world's axes. channels may be NULL; coefficients NULL with count 0 gets only the number of channels.
     Otherwise returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2."""
