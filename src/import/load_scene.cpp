@@ -365,11 +365,16 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     }
     for (const ElementDescription& element : description.elements)
         made(file, "shape", [&] {
-            const auto number = [&](const TextureSpecificationPtr& texture) {
-                return texture ? textures.number(*texture) : nullptr;
-            };
-            return out.scene.add_element(element, {.angle = number(element.angle_texture),
-                                                   .retardance = number(element.retardance_texture)});
+            ElementTextures of_element;
+            if (element.angle_texture) {
+                of_element.angle = textures.number_of_color(*element.angle_texture);
+                if (textures.colored(*element.angle_texture))
+                    files.notice(element.where +
+                                 ": theta has colours, which have one angle here, that of their luminance.");
+            }
+            if (element.retardance_texture)
+                of_element.retardance = textures.color(*element.retardance_texture);
+            return out.scene.add_element(SceneElement(element, of_element));
         });
     scene::put_elements_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));

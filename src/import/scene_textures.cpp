@@ -120,6 +120,23 @@ TexturePtr SceneTextures::number(const TextureSpecification& description) {
     return of(description, Use::number);
 }
 
+TexturePtr SceneTextures::number_of_color(const TextureSpecification& description) {
+    if (description.kind != TextureSpecification::Kind::checkerboard) return number(description);
+    TextureSpecification swapped = description;
+    std::swap(swapped.color0, swapped.color1);
+    return number(swapped);
+}
+
+bool SceneTextures::colored(const TextureSpecification& d) {
+    const auto of_value = [](const ColorDescription& color) {
+        return color.spectrum.empty() && color.rgb != glm::dvec3(color.rgb.x);
+    };
+    if (d.kind == TextureSpecification::Kind::constant) return of_value(d.color0);
+    if (d.kind == TextureSpecification::Kind::checkerboard) return of_value(d.color0) || of_value(d.color1);
+    return d.part == Part::color &&
+           without_repetition(Pixels(images_.at({d.filename, d.raw}), d).colors()).channels == 3;
+}
+
 TexturePtr SceneTextures::vector(const TextureSpecification& description) {
     return of(description, Use::vector);
 }

@@ -30,6 +30,12 @@ public:
     /// Makes the texture of a number: one channel, the luminance of colours. A checkerboard of numbers begins
     /// with color1, as in Mitsuba. Throws Error(unsupported) for a mesh's colours.
     [[nodiscard]] TexturePtr number(const TextureSpecification& description);
+    /// Makes the texture of a number that Mitsuba reads as a colour: as number(), but a checkerboard begins
+    /// with color0.
+    [[nodiscard]] TexturePtr number_of_color(const TextureSpecification& description);
+    /// Returns whether number() or number_of_color(), which was called before, has united different values of
+    /// red, green and blue.
+    [[nodiscard]] bool colored(const TextureSpecification& description);
     /// Makes the texture of a normal or another vector: as color(), whatever the scene's channels.
     [[nodiscard]] TexturePtr vector(const TextureSpecification& description);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Tests of polarization elements in front of lamps and the camera: the resulting Stokes vectors, the elements
 // of the scene, and refusals.
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "import/elements.hpp"
 #include "import/load_scene.hpp"
+#include "import/png_file.hpp"
 
 using namespace nicol;
 
@@ -302,8 +304,8 @@ TEST_CASE("angles are numbers in any form that has one value") {
 
 TEST_CASE("angles and retardances are textures of degrees, which Mitsuba's parameters mean") {
     const auto board = [](const char* name, double first, double second) {
-        return "<texture name='" + std::string(name) + "' type='checkerboard'>" + number("color1", first) +
-               number("color0", second) + "</texture>";
+        return "<texture name='" + std::string(name) + "' type='checkerboard'>" + number("color0", first) +
+               number("color1", second) + "</texture>";
     };
     const SceneFile file(scene(
         a_sensor + a_shape +
@@ -324,6 +326,45 @@ TEST_CASE("angles and retardances are textures of degrees, which Mitsuba's param
     const SceneElement& analyser = loaded.elements()[1];
     CHECK(analyser.angle * at(analyser.textures.angle, 0.6F) == doctest::Approx(glm::radians(20.0)));
     CHECK(analyser.textures.retardance == nullptr);
+}
+
+TEST_CASE("colours of a texture are retardances of red, green and blue, and one angle with a notice") {
+    const auto board = [](const char* name) {
+        return "<texture name='" + std::string(name) +
+               "' type='checkerboard'><rgb name='color0' value='10 20 30'/>" + number("color1", 40) +
+               "</texture>";
+    };
+    const auto loaded = [&](const std::string& bsdf) {
+        return load_scene(SceneFile(scene(a_sensor + a_shape + element(bsdf, 2))).scene(), {});
+    };
+    const LoadedScene sheet = loaded("<bsdf type='retarder'>" + board("delta") + "</bsdf>");
+    CHECK(sheet.scene.elements().at(0).channels() == 3);
+    CHECK(sheet.notices.empty());
+    const SceneElement& element = sheet.scene.elements().at(0);
+    const auto at = [](const TexturePtr& texture, float u) { return texture->at({.uv = {u, 0.1F}}); };
+    CHECK(at(element.textures.retardance, 0.1F) == glm::vec4(10, 20, 30, 1));
+    CHECK(at(element.textures.retardance, 0.6F) == glm::vec4(40, 40, 40, 1));
+    const LoadedScene axes = loaded("<bsdf type='retarder'>" + board("theta") + "</bsdf>");
+    CHECK(axes.scene.elements().at(0).channels() == 1);
+    REQUIRE(axes.notices.size() == 1);
+    CHECK(axes.notices[0].find("theta has colours") != std::string::npos);
+    const double luminance = 0.2126 * 10 + 0.7152 * 20 + 0.0722 * 30;
+    CHECK(static_cast<double>(at(axes.scene.elements().at(0).textures.angle, 0.1F).x) ==
+          doctest::Approx(luminance));
+
+    const SceneFile file("");
+    file.write("a.png", png_bytes(1, 1, 3, {51, 102, 153}));
+    const auto map = [&](const char* name) {
+        return "<texture type='bitmap' name='" + std::string(name) + "'><string name='filename' value='" +
+               (file / "a.png").string() + "'/><boolean name='raw' value='true'/></texture>";
+    };
+    const LoadedScene both = loaded("<bsdf type='retarder'>" + map("theta") + map("delta") + "</bsdf>");
+    const SceneElement& of_image = both.scene.elements().at(0);
+    const glm::vec4 retardance = at(of_image.textures.retardance, 0.5F);
+    CHECK(glm::distance(retardance, glm::vec4(0.2F, 0.4F, 0.6F, 1)) < 1e-6F);
+    CHECK(of_image.textures.angle->channels() == 1);
+    REQUIRE(both.notices.size() == 1);
+    CHECK(both.notices[0].find("theta has colours") != std::string::npos);
 }
 
 TEST_CASE("an element with textures, and what light meets after it, stands before the camera") {
