@@ -14,7 +14,6 @@
 #include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/varying_film.hpp"
-#include "texture/affine_texture.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -97,9 +96,7 @@ MaterialPtr with_film(const Given& given, const nicol_context_impl& context, con
     const FilmParameters film = film_of(given.film);
     const TexturePtr thickness = texture_of(given.film_thickness_texture, context);
     if (thickness == nullptr) return make(film);
-    constexpr auto thinnest = static_cast<float>(kThinnestFilm);
-    return with_film_thickness(make, film, given.film_thickness_least,
-                               affine_texture(thickness, 1 - thinnest, thinnest));
+    return with_film_thickness(make, film, given.film_thickness_least, film_texture(thickness));
 }
 
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {

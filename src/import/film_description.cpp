@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "import/film_description.hpp"
 
-#include "texture/affine_texture.hpp"
-
 namespace nicol {
 namespace {
 
 // Returns the texture of with_film_thickness(). That of an image is one texture for all equal images.
 TexturePtr thickness_of(const MaterialMaker& maker, const TextureSpecification& of) {
-    constexpr double range = 1 - kThinnestFilm;
-    if (of.kind != TextureSpecification::Kind::image)
-        return affine_texture(maker.textures.number(of), static_cast<float>(range),
-                              static_cast<float>(kThinnestFilm));
+    if (of.kind != TextureSpecification::Kind::image) return film_texture(maker.textures.number(of));
     TextureSpecification image = of;
-    image.factor *= range;
-    image.offset = range * image.offset + kThinnestFilm;
+    image.factor *= kFilmRange;
+    image.offset = kFilmRange * image.offset + kThinnestFilm;
     return maker.textures.number(image);
 }
 

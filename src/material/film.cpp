@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "material/film.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -91,7 +93,9 @@ FilmSplit interpolated(const std::vector<FilmSplit>& table, double position) {
     return out;
 }
 
-void check(const FilmParameters& film, std::size_t inside) {
+}  // namespace
+
+void check_film(const FilmParameters& film) {
     check_range(film.thickness, 0, kThickestFilm, "film_thickness");
     if (film.eta.empty()) throw Error(ErrorCode::invalid_argument, "film_eta has no value");
     for (const std::complex<double> eta : film.eta) {
@@ -102,15 +106,13 @@ void check(const FilmParameters& film, std::size_t inside) {
         check_range(wavelength, 100, 5000, "wavelengths of the film");
     const auto channels = static_cast<std::size_t>(film.channels());
     if (film.eta.size() != 1) check_channels(film.eta.size(), "film_eta", channels, "the film");
-    if (inside != 1) check_channels(inside, "eta", channels, "the film");
 }
-
-}  // namespace
 
 FilmTable::FilmTable(const FilmParameters& film, double outside, std::vector<std::complex<double>> inside,
                      Kind kind)
     : outside_(outside), eta_(std::move(inside)), tables_(static_cast<std::size_t>(film.channels())) {
-    check(film, eta_.size());
+    check_film(film);
+    if (eta_.size() != 1) check_channels(eta_.size(), "eta", tables_.size(), "the film");
     for (std::complex<double>& eta : eta_) eta /= outside;
     const bool transmits = eta_.size() == 1 && eta_.front().imag() == 0;
     if (transmits) {
@@ -157,7 +159,7 @@ std::vector<std::vector<FilmSplit>> FilmTable::tabulate(const FilmParameters& fi
     };
     const bool same = film.eta.size() == 1 && eta_.size() == 1;
     std::vector<std::vector<FilmSplit>> out(tables_.size(), std::vector<FilmSplit>(entries));
-    for (std::size_t i = 0; i < entries; ++i) {
+    tbb::parallel_for(std::size_t{0}, entries, [&](std::size_t i) {
         const double x = static_cast<double>(i) / static_cast<double>(entries - 1);
         // Both parameters make the table smooth at grazing and at the critical angle.
         const double decay = std::sin(x * std::numbers::pi / 2);
@@ -178,7 +180,7 @@ std::vector<std::vector<FilmSplit>> FilmTable::tabulate(const FilmParameters& fi
             }
         }
         for (auto& table : out) table[i] = clipped(table[i]);
-    }
+    });
     return out;
 }
 

@@ -30,6 +30,9 @@ struct FilmParameters {
     }
 };
 
+/// Throws Error(invalid_argument) that names the parameter of a film that is out of range.
+void check_film(const FilmParameters& film);
+
 /// Reflection and transmission of an interface with a film, tabulated over the angle. A channel of red, green
 /// or blue has the mean over its response to the visible spectrum, rgb_weights(). The mean is clipped to
 /// 0..1 for s and for p, because colours of films lie outside the gamut; its correlation of s and p is

@@ -8,6 +8,7 @@
 
 #include "material/mixture.hpp"
 #include "material/reflectance.hpp"
+#include "texture/affine_texture.hpp"
 
 namespace nicol {
 namespace {
@@ -22,8 +23,13 @@ constexpr double kShortestOfColours = 450;
 
 }  // namespace
 
+TexturePtr film_texture(const TexturePtr& thickness) {
+    return affine_texture(thickness, static_cast<float>(kFilmRange), static_cast<float>(kThinnestFilm));
+}
+
 MaterialPtr with_film_thickness(const std::function<MaterialPtr(const FilmParameters& film)>& make,
                                 const FilmParameters& thickest, double least, const TexturePtr& thickness) {
+    check_film(thickest);
     check_range(least, 0, kThickestFilm, "least film_thickness");
     double index = 0;
     for (const std::complex<double> eta : thickest.eta) index = std::max(index, eta.real());
@@ -33,7 +39,7 @@ MaterialPtr with_film_thickness(const std::function<MaterialPtr(const FilmParame
     const double steps = std::clamp(phase / kPhaseStep, 1.0, kMostSteps);
     const auto made = [&](double t) {
         FilmParameters film = thickest;
-        film.thickness = least + (thickest.thickness - least) * (t - kThinnestFilm) / (1 - kThinnestFilm);
+        film.thickness = least + (thickest.thickness - least) * (t - kThinnestFilm) / kFilmRange;
         return make(film);
     };
     return with_number(made, thickness, kThinnestFilm, std::pow(1 / kThinnestFilm, 1 / steps));

@@ -12,9 +12,9 @@ using doctest::Approx;
 
 namespace {
 
-// Returns s0 of each channel at the middle of a square under a constant sky, seen from the front or the back.
-std::vector<float> middle_of(nicol_context context, nicol_material material, bool back = false,
-                             nicol_result wanted = NICOL_OK) {
+// Returns the planes of s0 of a square under a constant sky, 8 x 6 pixels, seen from the front or the back.
+std::vector<std::vector<float>> planes_of(nicol_context context, nicol_material material, bool back = false,
+                                          nicol_result wanted = NICOL_OK) {
     const Owned light(constant_light(context, {1}));
     const Owned mesh(rectangle(context));
     const Owned scene(simple_scene(context, light, mesh, material));
@@ -24,9 +24,18 @@ std::vector<float> middle_of(nicol_context context, nicol_material material, boo
     const nicol_camera camera = camera_at({0.4, 0.3, back ? -1.2 : 1.2});
     const nicol_result result = nicol_render(scene, &camera, nullptr, framebuffer);
     CHECK(result == wanted);
-    std::vector<float> out;
+    std::vector<std::vector<float>> out;
     for (std::uint32_t c = 0; c < channels && result == NICOL_OK; ++c)
-        out.push_back(read_plane(framebuffer, NICOL_PLANE_S0, c)[3 * 8 + 4]);
+        out.push_back(read_plane(framebuffer, NICOL_PLANE_S0, c));
+    return out;
+}
+
+// Returns s0 of each channel at the middle of that square.
+std::vector<float> middle_of(nicol_context context, nicol_material material, bool back = false,
+                             nicol_result wanted = NICOL_OK) {
+    std::vector<float> out;
+    for (const std::vector<float>& plane : planes_of(context, material, back, wanted))
+        out.push_back(plane[3 * 8 + 4]);
     return out;
 }
 
@@ -158,12 +167,59 @@ CONTEXT_TEST_CASE("a texture varies the thickness of a film") {
     CHECK(same(plastic_in_middle(), thin, 1e-4));
 
     nicol_material refused = nullptr;
+    struct Film {
+        float thickness, eta, nm;
+    };
+    const std::vector<Film> films{
+        {NAN, 2.4F, 550}, {INFINITY, 2.4F, 550}, {10001, 2.4F, 550}, {90, INFINITY, 550}, {90, 2.4F, NAN}};
+    for (const auto& [thickness, eta, nm] : films) {
+        nicol_conductor wrong = steel;
+        wrong.film = {
+            .thickness = thickness, .eta = eta, .k = 0, .reserved = 0, .wavelengths = spectrum({nm})};
+        CHECK(nicol_material_create_conductor(context, &wrong, &refused) == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(std::string(nicol_last_error()).find("film") != std::string::npos);
+    }
     steel.film_thickness_least = -1;
     CHECK(nicol_material_create_conductor(context, &steel, &refused) == NICOL_ERROR_INVALID_ARGUMENT);
     CHECK(std::string(nicol_last_error()).find("least film_thickness") != std::string::npos);
     const Owned colors(make(nicol_texture_create_vertex_colors, context));
     plastic.film_thickness_texture = colors;
     CHECK(nicol_material_create_pplastic(context, &plastic, &refused) == NICOL_ERROR_UNSUPPORTED);
+}
+
+CONTEXT_TEST_CASE("a film is at either half of its texture what a film of one thickness is") {
+    nicol_conductor steel = NICOL_CONDUCTOR_INIT;
+    steel.alpha = 0.3F;
+    steel.metal = "Cr";
+    steel.film.eta = 2.4F;
+    const auto planes = [&] {
+        return planes_of(context, Owned(make(nicol_material_create_conductor, context, &steel)));
+    };
+    steel.film.thickness = 90;
+    const auto thin = planes();
+    steel.film.thickness = 250;
+    const auto thick = planes();
+    const std::vector<float> ramp{0, 0, 0, 0.25F, 0.75F, 1, 1, 1};
+    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
+    image.type = NICOL_TEXEL_FLOAT32;
+    image.width = 8;
+    image.height = 1;
+    image.channels = 1;
+    image.pixels = ramp.data();
+    image.byte_size = ramp.size() * sizeof(float);
+    nicol_texture_options options = NICOL_TEXTURE_OPTIONS_INIT;
+    options.filter = NICOL_TEXTURE_FILTER_NEAREST;
+    const Owned texture(make(nicol_texture_create_image, context, &image, &options));
+    steel.film_thickness_texture = texture;
+    steel.film_thickness_least = 90;
+    const auto both = planes();
+    REQUIRE(both.size() == 3);
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t row = 1; row < 5; ++row) {
+            CHECK(both[c][row * 8 + 1] == Approx(thin[c][row * 8 + 1]).epsilon(1e-3));
+            CHECK(both[c][row * 8 + 6] == Approx(thick[c][row * 8 + 6]).epsilon(1e-3));
+            CHECK(std::abs(thin[c][row * 8 + 1] - thick[c][row * 8 + 1]) > 0.01F * thin[c][row * 8 + 1]);
+        }
 }
 
 CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured deeper if nonlinear") {
