@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Sets up, builds and runs every test. NICOL_CI_SANITIZE=1 or --sanitize also runs them under AddressSanitizer and
 # UBSan, and --threads runs the multi-threaded ones under ThreadSanitizer. --all tests computed images on each OpenGL
-# backend instead of one. --build builds only.
+# backend instead of one. --build leaves out running the release tests.
 set -eu
 cd "$(dirname "$0")/.."
 

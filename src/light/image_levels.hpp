@@ -36,7 +36,7 @@ public:
     /// Computes the interpolated texels and the slopes there.
     void look_up(const Places& places, Lanes* out, Slopes& slopes) const { look_up(places, out, &slopes); }
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return texels_.size() * sizeof(glm::vec4); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return texels_.capacity() * sizeof(glm::vec4); }
 
     /// Widths, numbers of rows less one, and the first texels, by image.
     struct Shapes {

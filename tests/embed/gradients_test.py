@@ -50,7 +50,7 @@ class GradientsTest(unittest.TestCase):
         self.assertEqual(found.lights.shape, (1, 3, 4))
         self.assertEqual(found.instances.shape, (1, 3))
         self.assertGreater(found.environment[0, 0, 0], 0)
-        # What a factor of the whole instance changes, all texels change together.
+        # A factor of all texels changes the picture as a factor of the whole instance does.
         values = numpy.linspace(0, 1, 6).reshape(2, 3, 1)
         self.assertAlmostEqual((values * found.texels).sum(), found.instances.sum(), delta=1e-4 * found.instances.sum())
         self.assertIsNone(self.found().lights)

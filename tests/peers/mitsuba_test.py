@@ -171,9 +171,10 @@ PATHS = {
     "masked sphere in a corner, area": (MASKED, corner(plastic(), metal(0.3)), LAMP, "volpath"),
     "brushed corner, spot": (plastic(), corner(brushed(plastic(), 0.4, 0.15)), SPOT),
 }
-# Paths end at a depth in the same place whatever the surfaces are, so that one scene shows it at more depths.
+# Paths end at a depth in the same place whatever the surfaces are, so that one scene shows it at more depths, and one whose mask counts in
+# neither program.
 DEPTHS = (3, nicol.DEPTH_UNLIMITED)
-MORE_DEPTHS = {"corner of metal, point": (3, 6, nicol.DEPTH_UNLIMITED)}
+MORE_DEPTHS = {case: (3, 6, nicol.DEPTH_UNLIMITED) for case in ("corner of metal, point", "masked sphere in a corner, area")}
 # Tolerated differences of light that is reflected several times, over means of blocks of pixels.
 PATH_LIMITS = numpy.array((0.01, 0.005, 0.005, 0.005))
 BLOCK = 4
@@ -344,8 +345,9 @@ class MitsubaTest(unittest.TestCase):
         for name, options, limit in (("reference", METHODS["reference"][0], 0.004), ("factored", {"pixel_samples": 64}, 0.006)):
             with self.subTest(method=name):
                 print("stressed sheet,", name, end=":")
-                seeds = (1, 2) if name == "reference" else (1, 1)
-                self.check([stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.full(4, limit))
+                seeds = (1, 2) if name == "reference" else (1,)
+                ours = [stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds]
+                self.check([ours[0], ours[-1]], truth, numpy.full(4, limit))
 
     def test_angles(self):
         """The AoLP agrees modulo 180 degrees wherever light is polarized."""

@@ -29,7 +29,7 @@ public:
     /// Returns whether the texture is a factor of what a range's material reflects.
     [[nodiscard]] bool varies(std::size_t range) const { return of_ranges_[range].has_value(); }
 
-    /// What a batch of points reflects.
+    /// Kinds of light that a batch of points reflects.
     struct Reflected {
         bool distant;  ///< distant light
         bool local;    ///< local lights
