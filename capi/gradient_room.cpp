@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "assets.hpp"
 #include "handles.hpp"
 #include "harmonics/psh.hpp"
 #include "initialiser.hpp"
@@ -24,7 +25,7 @@ void check_room(const double* room, std::uint64_t count, std::uint64_t needed, c
 
 }  // namespace
 
-GradientRoom::GradientRoom(const nicol_gradient* given)
+GradientRoom::GradientRoom(const nicol_gradient* given, const nicol_scene_impl& scene)
     : room_(read_struct(given, nicol_gradient NICOL_GRADIENT_INIT, "gradient")) {
     if (room_.reserved != 0) refuse("gradient->reserved must be 0");
     if ((room_.texels == nullptr) != (room_.texture == nullptr))
@@ -32,7 +33,7 @@ GradientRoom::GradientRoom(const nicol_gradient* given)
     if (room_.environment == nullptr && room_.lights == nullptr && room_.instances == nullptr &&
         room_.texels == nullptr)
         refuse("gradient has no room: environment, lights, instances and texels are NULL");
-    if (room_.texture != nullptr) texture_ = resolve(room_.texture).content;
+    texture_ = texture_of(room_.texture, scene);
 }
 
 WantedGradients GradientRoom::wanted() const {

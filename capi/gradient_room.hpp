@@ -10,8 +10,9 @@ namespace nicol::capi {
 
 class GradientRoom {
 public:
-    /// Throws Error(invalid_argument) for a gradient that is not as nicol_gradient says, or that has no room.
-    explicit GradientRoom(const nicol_gradient* given);
+    /// Throws Error(invalid_argument) for a gradient that is not as nicol_gradient says, or that has no room,
+    /// and Error(invalid_handle) for a texture of another context than the scene's.
+    GradientRoom(const nicol_gradient* given, const nicol_scene_impl& scene);
 
     /// Returns the gradients that there is room for.
     [[nodiscard]] WantedGradients wanted() const;

@@ -340,7 +340,7 @@ nicol_result nicol_render_adjoint(nicol_scene scene, const nicol_camera* camera,
         const StokesImage of_picture = StokesRows(picture, "picture").read();
         if (!std::ranges::all_of(of_picture.data, [](float number) { return std::isfinite(number); }))
             refuse("picture has numbers that are not finite");
-        const GradientRoom room(gradient);
+        const GradientRoom room(gradient, self);
         with_renderer(self, call, [&](SceneState& state) {
             room.check(state.scene, call.options);
             room.write(state.renderer.adjoint(state.scene, from, call.options, of_picture, room.wanted()));

@@ -58,10 +58,15 @@ void check_texture(const Scene& scene, const TexturePtr& wanted) {
             "needs texels that differ: materials take a texture of equal texels as a number; change one of "
             "them a little");
     if (kind != TextureDescription::Kind::image) refuse_texture("needs the texture of an image");
+    const auto emitted = [&](const TexturePtr& texture) {
+        return texture != nullptr && (texture == wanted || in_product(*texture, wanted));
+    };
+    if (std::ranges::any_of(scene.lights(), emitted, &LocalLight::texture))
+        refuse_texture("has no texture that a local light projects; give the light a copy");
     bool used = false;
     for (const Instance& instance : scene.instances()) {
-        if (instance.emission != nullptr && instance.emission->texture == wanted)
-            refuse_texture("has no texture that surfaces emit; give the emission one of its own");
+        if (instance.emission != nullptr && emitted(instance.emission->texture))
+            refuse_texture("has no texture that surfaces emit; give the emission a copy");
         const SpatialVariation* const variation = instance.material->variation();
         if (variation == nullptr) continue;
         if (variation->opacity == wanted || variation->normal.texture == wanted ||
@@ -153,10 +158,11 @@ Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const Rend
     check(given, scene, picture.width, picture.height);
     check_linear(given);
     check_scene(scene, given, wanted);
-    memory_limit_.check(scene, given, picture.width, picture.height);
     RenderOptions options = given;
     // Gradients are wanted by components that the light lacks, too.
     options.disabled_optimisations |= skip_light_components;
+    memory_limit_.check(scene, options, picture.width, picture.height,
+                        gradient_memory(scene, options, wanted.texture.get()));
     const Projection projection = project(camera, picture.width, picture.height);
     CommonBake common{.views = {projection}};
     Statistics statistics;
@@ -175,11 +181,11 @@ Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const Rend
             lights = adjoint_lights(scene, inverse_motion(pipeline_.surfaces().to_world()));
         AdjointExecutor executor(picture, std::move(lights), wanted.texture);
         pipeline_.run(scene, projection, options, executor, run, hits, false);
-        const LightGradients& gradients = executor.gradients();
+        LightGradients gradients = executor.take_gradients();
         if (wanted.environment)
             out.environment = by_environment(gradients.distant, scene.light_scale(), options.dering);
-        if (wanted.lights) out.lights = gradients.lights;
-        if (wanted.texture != nullptr) out.texels = gradients.texels;
+        if (wanted.lights) out.lights = std::move(gradients.lights);
+        if (wanted.texture != nullptr) out.texels = std::move(gradients.texels);
         if (wanted.instances)
             out.instances = of_instances(scene, pipeline_.surfaces().geometry().ranges, gradients.reflection,
                                          picture.channels);

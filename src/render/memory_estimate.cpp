@@ -23,6 +23,7 @@
 #include "render/wanted_executor.hpp"
 #include "surfaces/focusing_surfaces.hpp"
 #include "surfaces/photon_paths.hpp"
+#include "texture/texel_gradient.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -215,15 +216,29 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
            ElementPainter::bytes(scene);
 }
 
-void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {
+GradientMemory gradient_memory(const Scene& scene, const RenderOptions& options, const Texture* texels) {
+    GradientMemory memory;
+    if (texels != nullptr) memory.texels = TexelGradient::bytes(*texels);
+    const Size size = size_of(scene);
+    if (!options.shadows || size.triangles == 0) return memory;
+    // Vertices have sums of gradients, and for texels the light that they show.
+    const LightLayout layout(std::clamp(options.order_low, 0, kMaxRenderOrder), kind_of(scene, options));
+    memory.of_vertices = (texels != nullptr ? 2 : 1) * blocks(size.vertices) *
+                         VertexLight(layout, scene.channels(), kBlock).bytes();
+    return memory;
+}
+
+void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height,
+                        const GradientMemory& gradients) {
     vertices_ = size_of(scene).vertices;
     if (!saves()) return;
-    image_ = image_memory(scene, options, width, height);
+    image_ = image_memory(scene, options, width, height) + gradients.texels;
     checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options),
                   options.method, options.order_low, options.order_high, options.high_orders, options.shadows,
                   options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_,
-                  focused(scene, options), [&] {
+                  focused(scene, options), gradients.of_vertices, [&] {
                       estimate_ = estimate_memory(scene, options);
+                      estimate_.transfer += gradients.of_vertices;
                       const std::uint64_t needed = estimate_.total() + image_;
                       if (needed <= bytes_) return;
                       throw Error(ErrorCode::out_of_memory,

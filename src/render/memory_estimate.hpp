@@ -11,6 +11,7 @@
 #include "scene/scene.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
+#include "texture/texture.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -39,6 +40,17 @@ struct MemoryEstimate {
 [[nodiscard]] std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int width,
                                          int height);
 
+/// Largest number of bytes that gradients take while they are computed.
+struct GradientMemory {
+    std::uint64_t of_vertices = 0;  ///< grows with the number of vertices
+    std::uint64_t texels = 0;
+};
+
+/// Returns the memory that gradients take beside a picture's bake. texels: the texture of an image by whose
+/// texels gradients are wanted; null: none.
+[[nodiscard]] GradientMemory gradient_memory(const Scene& scene, const RenderOptions& options,
+                                             const Texture* texels);
+
 /// Limit of the memory of a scene and its image, and the account of what lies outside OpenGL.
 class MemoryLimit {
 public:
@@ -50,8 +62,9 @@ public:
 
     /// Throws Error(out_of_memory) with both numbers if the estimate exceeds the limit, and if the monitor
     /// refuses the estimate. Estimates again only if an input of the estimate has changed since the last
-    /// call.
-    void check(const Scene& scene, const RenderOptions& options, int width, int height);
+    /// call. gradients: what is needed beside the picture.
+    void check(const Scene& scene, const RenderOptions& options, int width, int height,
+               const GradientMemory& gradients = {});
     /// Asks the monitor for the memory of a bake that has refined the checked scene to so many vertices.
     /// Throws Error(out_of_memory) if the monitor refuses.
     void refined(std::uint64_t vertices);
@@ -83,9 +96,9 @@ private:
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
     // Inputs: geometry, channels, components of the light, whether it bounces, the options that matter, the
-    // bytes of the image and of focused light.
+    // bytes of the image, of focused light and of gradients.
     Stage<Version, int, LightKind, bool, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
-          std::uint64_t, std::uint64_t>
+          std::uint64_t, std::uint64_t, std::uint64_t>
         checking_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
+#include <utility>
 
 #include "texture/image_levels.hpp"
 
@@ -89,8 +91,17 @@ void TexelGradient::add_between(const LaneTexels& texels, const LaneIntegers& le
     }
 }
 
-std::vector<double> TexelGradient::texels() const {
-    return gradient_by_image(levels_, shape_.width, shape_.height);
+std::vector<double> TexelGradient::take() {
+    return gradient_by_image(std::move(levels_), shape_.width, shape_.height);
+}
+
+std::uint64_t TexelGradient::bytes(const Texture& image) {
+    const std::span levels = image.describe().levels;
+    std::uint64_t values = 0;
+    for (const TextureImage& level : levels) values += values_of(level);
+    // A level grows to the size of the next finer one, first along one side.
+    if (levels.size() > 1) values += values_of(levels[0]) + values_of(levels[0]) / 2;
+    return values * sizeof(double);
 }
 
 }  // namespace nicol

@@ -24,8 +24,11 @@ public:
     /// Threads may call it side by side.
     void add(const TexturePoints& points, std::uint32_t chosen, const std::array<Lanes, 4>& values);
 
-    /// Returns the gradient by the image's values, [row][column][channel].
-    [[nodiscard]] std::vector<double> texels() const;
+    /// Returns the gradient by the image's values, [row][column][channel], once.
+    [[nodiscard]] std::vector<double> take();
+
+    /// Returns the most bytes that an object for an image takes, what take() returns included.
+    [[nodiscard]] static std::uint64_t bytes(const Texture& image);
 
 private:
     /// Adds gradients times factors to the texels of each point's level.

@@ -101,6 +101,19 @@ TEST_CASE("objects of different contexts do not mix") {
         return nicol_scene_add_instance(a.scene, &instance, &id);
     };
     const nicol_camera camera = front_camera();
+    const std::vector<float> values{0.5F, 0.6F};
+    const nicol_texture_image image = image_of_texels(values, 2, 1, 1, NICOL_TEXEL_FLOAT32);
+    const Owned texture(make(nicol_texture_create_image, b.context, &image, nullptr));
+    std::array<float, 4> pixel{};
+    nicol_stokes_image picture = NICOL_STOKES_IMAGE_INIT;
+    picture.width = picture.height = picture.channels = 1;
+    picture.pixels = pixel.data();
+    picture.byte_size = sizeof pixel;
+    std::array<double, 2> texels{};
+    nicol_gradient gradient = NICOL_GRADIENT_INIT;
+    gradient.texture = texture;
+    gradient.texels = texels.data();
+    gradient.texels_count = texels.size();
     const auto foreign = NICOL_ERROR_INVALID_HANDLE;
     nicol_job job = marker<nicol_job>();
     nicol_material both = marker<nicol_material>();
@@ -112,6 +125,8 @@ TEST_CASE("objects of different contexts do not mix") {
          foreign},
         {"contexts", [&] { return nicol_render(a.scene, &camera, nullptr, b.framebuffer); }, foreign},
         {"contexts", [&] { return nicol_render(b.scene, &camera, nullptr, a.framebuffer); }, foreign},
+        {"contexts", [&] { return nicol_render_adjoint(a.scene, &camera, nullptr, &picture, &gradient); },
+         foreign},
         {"contexts", [&] { return nicol_render_async(a.scene, &camera, nullptr, b.framebuffer, &job); },
          foreign},
     });

@@ -285,10 +285,33 @@ GL_TEST_CASE("the adjoint refuses textures that it has no gradient of") {
     scene.set_material(1, scaled(white, wanted));
     scene.set_emission(0, std::make_shared<const Emission>(Emission{.radiance = {1}, .texture = wanted}));
     Studio studio(context);
-    check_error(ErrorCode::unsupported,
-                CALL(studio.renderer.adjoint(scene, test::some_camera(), options(), StokesImage(8, 8, 3),
-                                             {.texture = wanted})),
-                "emit");
+    const auto check_refused = [&](const char* word) {
+        check_error(ErrorCode::unsupported,
+                    CALL(studio.renderer.adjoint(scene, test::some_camera(), options(), StokesImage(8, 8, 3),
+                                                 {.texture = wanted})),
+                    word);
+    };
+    check_refused("emit");
+    scene.set_emission(0, nullptr);
+    scene.add_light({.kind = LocalLight::Kind::projector, .texture = product_texture(image(0.7F), wanted)});
+    check_refused("projects");
+}
+
+GL_TEST_CASE("gradients by texels need memory that a limit leaves to those by lights") {
+    const TexturePtr texture =
+        image_texture({.width = 2, .height = 1, .channels = 1, .values = {0.5F, 0.6F}});
+    Scene scene = still(test::some_metal(0.3), random_light(kOrder, 3, 1));
+    scene.set_material(1, scaled(diffuse({0.5}), texture));
+    const RenderOptions chosen = options();
+    const GradientMemory gradients = gradient_memory(scene, chosen, nullptr);
+    Studio studio(context);
+    studio.renderer.set_memory_limit(MemoryLimit(estimate_memory(scene, chosen).total() +
+                                                 image_memory(scene, chosen, 8, 8) + gradients.of_vertices));
+    const auto run = [&](const WantedGradients& wanted) {
+        return studio.renderer.adjoint(scene, test::some_camera(), chosen, StokesImage(8, 8, 3), wanted);
+    };
+    CHECK(run({.environment = true}).environment.order() == kOrder);
+    check_error(ErrorCode::out_of_memory, CALL(run({.texture = texture})), "memory_limit");
 }
 
 GL_TEST_CASE("the adjoint refuses what it does not transpose") {

@@ -108,3 +108,32 @@ TEST_CASE(
     // Threads render glass, whatever executor is asked for.
     CHECK(focused(dielectric({.int_ior = 1.5, .ext_ior = 1})) == most_focused_bytes(1, 1, 1));
 }
+
+TEST_CASE("the limit counts gradients beside the picture") {
+    RenderOptions options = bouncing();
+    options.max_depth = kDirectLightDepth;
+    const Scene scene = lit_ball(diffuse({0.5}));
+    TextureImage image{.width = 8, .height = 4, .channels = 3, .values = {}};
+    for (int i = 0; i < 8 * 4 * 3; ++i) image.values.push_back(0.01F * static_cast<float>(i));
+    const TexturePtr mipmap = image_texture(image, {.filter = TextureSampling::Filter::mipmap});
+    const TexturePtr bilinear = image_texture(image, {.filter = TextureSampling::Filter::bilinear});
+    const GradientMemory light = gradient_memory(scene, options, nullptr);
+    const GradientMemory texels = gradient_memory(scene, options, mipmap.get());
+    CHECK(light.texels == 0);
+    CHECK(texels.of_vertices == 2 * light.of_vertices);
+    // Levels of 8 x 4, 4 x 2, 2 x 1 and 1 x 1 texels, and one and a half times the first.
+    CHECK(texels.texels == (32 + 8 + 2 + 1 + 32 + 16) * 3 * sizeof(double));
+    CHECK(gradient_memory(scene, options, bilinear.get()).texels == 32 * 3 * sizeof(double));
+
+    const std::uint64_t picture =
+        estimate_memory(scene, options).total() + image_memory(scene, options, 64, 64);
+    const std::uint64_t all = picture + texels.of_vertices + texels.texels;
+    MemoryLimit enough(all), least(all - 1);
+    enough.check(scene, options, 64, 64, texels);
+    least.check(scene, options, 64, 64);
+    check_error(ErrorCode::out_of_memory, CALL(least.check(scene, options, 64, 64, texels)),
+                std::to_string(all));
+
+    options.shadows = false;
+    CHECK(gradient_memory(scene, options, mipmap.get()).of_vertices == 0);
+}

@@ -69,7 +69,7 @@ TEST_CASE("the gradient by texels is the transpose of look-ups") {
                             }
                         gradient.add(points, chosen, of_values);
                     }
-                    const std::vector<double> texels = gradient.texels();
+                    const std::vector<double> texels = gradient.take();
                     REQUIRE(texels.size() == image.values.size());
                     double sum = 0;
                     for (std::size_t i = 0; i < texels.size(); ++i)

@@ -3289,7 +3289,9 @@ def render_adjoint(scene: Scene, camera: Camera, options: RenderOptions | None, 
     linear in its light: image = A light. The gradient by the light is the transpose of A times the gradient by the image. For
     f = |image - measured|^2 / 2, `picture` is image - measured, and conjugate gradients recover the light.
       picture       Derivatives of f by the Stokes vectors of the pixels, in all channels of the scene. Its size is the image's.
-      Cost          About that of an image whose light has changed. Nothing is drawn into a framebuffer.
+      Cost          About that of an image whose light has changed, and by texels three to five times as much: with 512 x 512
+                    pixels, an image took 86 ms, gradients by instances 151, by the environment 108 and by texels 245 ms.
+                    Nothing is drawn into a framebuffer.
       Bake          Gradients need all Stokes components. Callers that alternate between images and gradients should disable
                     NICOL_OPTIMISATION_LIGHT_COMPONENTS for both, because the bake then serves both.
       Options       method factored; executor automatic or cpu; physical 0; order_low and order_high given and equal, or
@@ -3301,8 +3303,8 @@ def render_adjoint(scene: Scene, camera: Camera, options: RenderOptions | None, 
                     lights, by instances and by texels no local light of the value 0.
     Returns NICOL_ERROR_UNSUPPORTED for other options and scenes, with a message that says what to change.
     Returns NICOL_ERROR_INVALID_ARGUMENT for sizes that do not fit, for numbers that are not finite, for a local light of the
-    value 0, and if the gradient by the environment is wanted without an environment; else the results of nicol_render. A call
-    that fails writes nothing."""
+    value 0, and if the gradient by the environment is wanted without an environment, or by a texture that no instance's material
+    reflects by; else the results of nicol_render. A call that fails writes nothing."""
     check(_render_adjoint(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, byref(picture) if picture is not None else None, byref(gradient) if gradient is not None else None))
 
 

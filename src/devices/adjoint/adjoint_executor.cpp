@@ -186,7 +186,7 @@ void AdjointExecutor::shade_pixels(const FactoredMethod& method, const PixelInpu
     if (shadows) transpose_relight(method, input, rows, picture_.channels, sums, run);
     sums.combine_each([&](const GradientSums& one) { all += one; });
     collect(all, input);
-    if (texture) gradients_.texels = texture->texels();
+    if (texture) gradients_.texels = texture->take_texels();
     if (input.bounces > 0)
         add(method.bounces().gradient([&](std::size_t v) { return rows.row(v); }, input.layout,
                                       picture_.channels),

@@ -3,6 +3,7 @@
 // light that it is linear in.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "harmonics/psh.hpp"
@@ -72,8 +73,8 @@ public:
     void store(PixelImage& /*image*/) const override {}
     void count(Statistics& /*statistics*/) const override {}
 
-    /// Returns the gradients of the last shade_pixels().
-    [[nodiscard]] const LightGradients& gradients() const noexcept { return gradients_; }
+    /// Returns the gradients of the last shade_pixels(), once.
+    [[nodiscard]] LightGradients take_gradients() noexcept { return std::move(gradients_); }
 
 private:
     /// Sets gradients_, in the geometry's axes, from sums over all points.

@@ -38,8 +38,8 @@ public:
     /// reflect, [channel][point]. Changes the batch's weights.
     void add(PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes, const Reflected& reflected);
 
-    /// Returns the gradient by the texture's texels, [row][column][channel].
-    [[nodiscard]] std::vector<double> texels() const { return texels_.texels(); }
+    /// Returns the gradient by the texture's texels, [row][column][channel], once.
+    [[nodiscard]] std::vector<double> take_texels() { return texels_.take(); }
 
 private:
     struct Work;
