@@ -29,7 +29,8 @@ struct KeptCoefficients {
 /// It is truncated at the order of f and exact for the coefficients of V (VisibilityHarmonics) up to twice
 /// that order, which EvenIrradiance scales. Numbers have 16 bits; each is off by at most 3.1e-5. If the
 /// directions do not resolve twice the order, the bound is 6.2e-5 times the power of two that the largest
-/// number so far has required: numbers that are stored when the unit grows are rounded again. Blocks of sixteen consecutive unoccluded vertices cost nothing. Immutable once made.
+/// number so far has required: numbers that are stored when the unit grows are rounded again. Blocks of
+/// sixteen consecutive unoccluded vertices cost nothing. Immutable once made.
 class VisibilityProduct {
 public:
     /// Highest order for which a vertex has a symmetric matrix, O(order^4); above it, a vertex has samples on

@@ -62,7 +62,7 @@ TEST_CASE("sixteen rays at a boundary have the parts and spreads of single rays"
                                            glm::normalize(glm::vec3(0, -0.2F, 1)), glm::vec3(0, 0, 1)};
     const glm::dvec3 normal = glm::normalize(0.2 * glm::dvec3(normals[0]) + 0.3 * glm::dvec3(normals[1]) +
                                              0.5 * glm::dvec3(normals[2]));
-    // Of usual and of extreme sizes, and a narrow triangle.
+    // Triangles of usual and of extreme sizes, and a narrow one.
     struct Size {
         float unit, width;
     };
