@@ -117,7 +117,7 @@ nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, ui
                        ? make_handle<nicol_texture_impl>(self.session, texture)
                        : nullptr;
         };
-        const nicol_texture of_angle = handle(angle, textures.angle);
+        nicol_texture of_angle = handle(angle, textures.angle);
         try {
             if (retardance != nullptr) *retardance = handle(retardance, textures.retardance);
         } catch (...) {
