@@ -48,7 +48,7 @@ def gradients(
     for name, values in found.items():
         setattr(room, name, values)
         setattr(room, f"{name}_count", values.size)
-    if texture is not None:
+    if texture is not None and shape is not None:
         found["texels"] = texels = numpy.zeros(shape)
         room.texture, room.texels, room.texels_count = texture, texels, texels.size
     picture = _stokes_image(numpy.ascontiguousarray(picture, numpy.float32))
