@@ -287,6 +287,21 @@ nicol_result release(Impl* handle) noexcept {
     });
 }
 
+/// Writes a handle to `to`, or null without an object, unless `to` is null. rest() writes the other outputs;
+/// if it throws, nothing is written.
+template <class Impl, class Content, class Rest>
+void write_handle(const SessionPtr& session, std::shared_ptr<Content> content, Impl** to, const Rest& rest) {
+    Impl* const handle =
+        to != nullptr && content != nullptr ? make_handle<Impl>(session, std::move(content)) : nullptr;
+    try {
+        rest();
+    } catch (...) {
+        release(handle);
+        throw;
+    }
+    if (to != nullptr) *to = handle;
+}
+
 /// Returns the caller's options, or the defaults for NULL. Throws Error(invalid_argument) naming a value out
 /// of range.
 nicol_context_options context_options(const nicol_context_options* options);

@@ -109,22 +109,6 @@ nicol_emission emission_to(const EmissionPtr& emission) {
     return out;
 }
 
-// Writes both outputs, or none if one of them fails.
-template <class Struct>
-void write_with_texture(const nicol_scene_impl& scene, const Struct& value, Struct* to, const char* name,
-                        const TexturePtr& content, nicol_texture* texture) {
-    nicol_texture handle = texture != nullptr && content != nullptr
-                               ? make_handle<nicol_texture_impl>(scene.session, content)
-                               : nullptr;
-    try {
-        write_struct(to, value, name);
-    } catch (...) {
-        release(handle);
-        throw;
-    }
-    if (texture != nullptr) *texture = handle;
-}
-
 }  // namespace
 
 nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light) {
@@ -164,7 +148,8 @@ nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nicol_light* 
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
         const LocalLight& found = self.content->scene.light(id);
-        write_with_texture(self, light_to(found), light, "light", found.texture, texture);
+        write_handle(self.session, found.texture, texture,
+                     [&] { write_struct(light, light_to(found), "light"); });
     });
 }
 
@@ -200,8 +185,8 @@ nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emis
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
         const EmissionPtr& found = self.content->scene.at(id).emission;
-        write_with_texture(self, emission_to(found), emission, "emission", found ? found->texture : nullptr,
-                           texture);
+        write_handle(self.session, found ? found->texture : nullptr, texture,
+                     [&] { write_struct(emission, emission_to(found), "emission"); });
     });
 }
 

@@ -112,19 +112,8 @@ nicol_result nicol_scene_get_polarization_element_textures(nicol_scene scene, ui
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
         const ElementTextures& textures = self.content->scene.element(id).textures;
-        const auto handle = [&](const nicol_texture* wanted, const TexturePtr& texture) {
-            return wanted != nullptr && texture != nullptr
-                       ? make_handle<nicol_texture_impl>(self.session, texture)
-                       : nullptr;
-        };
-        nicol_texture of_angle = handle(angle, textures.angle);
-        try {
-            if (retardance != nullptr) *retardance = handle(retardance, textures.retardance);
-        } catch (...) {
-            release(of_angle);
-            throw;
-        }
-        if (angle != nullptr) *angle = of_angle;
+        write_handle(self.session, textures.angle, angle,
+                     [&] { write_handle(self.session, textures.retardance, retardance, [] {}); });
     });
 }
 

@@ -200,16 +200,8 @@ nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
         const Instance& instance = self.content->scene.at(id);
-        nicol_mesh shape =
-            mesh != nullptr ? make_handle<nicol_mesh_impl>(self.session, instance.mesh) : nullptr;
-        try {
-            if (material != nullptr)
-                *material = make_handle<nicol_material_impl>(self.session, instance.material);
-        } catch (...) {
-            release(shape);
-            throw;
-        }
-        if (mesh != nullptr) *mesh = shape;
+        write_handle(self.session, instance.mesh, mesh,
+                     [&] { write_handle(self.session, instance.material, material, [] {}); });
         if (to_world != nullptr) write_matrix(instance.to_world, to_world);
     });
 }

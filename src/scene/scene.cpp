@@ -71,6 +71,29 @@ void check_channels(const char* part, int channels, int others) {
            " colour channels and the scene " + std::to_string(others) + "; it must have 1 or as many");
 }
 
+// Adds a part whose channels count. Throws Error(invalid_argument) if they do not fit those of other parts.
+template <class Part>
+void add_counted(const char* name, Part part, Numbered<Part>& to, ChannelCounts& counts) {
+    const int channels = part.channels();
+    check_channels(name, channels, counts.largest());
+    counts.make_room(channels);
+    to.add(std::move(part));
+    counts.add(channels);
+}
+
+// Changes such a part, and returns whether it differed.
+template <class Part>
+bool set_counted(const char* name, Part part, Part& changed, ChannelCounts& counts) {
+    const int before = changed.channels(), channels = part.channels();
+    check_channels(name, channels, counts.largest_without(before));
+    if (changed == part) return false;
+    counts.make_room(channels);
+    counts.add(channels);
+    counts.remove(before);
+    changed = std::move(part);
+    return true;
+}
+
 // Throws Error(invalid_argument) if the mesh lacks attributes that the material or the emission, which may be
 // null, needs. `id` is the instance that has or would have them.
 void check_attributes(const Mesh& mesh, const Material& material, const Emission* emission,
@@ -221,11 +244,7 @@ void Scene::set_roles(std::uint32_t id, const InstanceRoles& roles) {
 std::uint32_t Scene::add_light(LocalLight light) {
     const std::uint32_t id = lights_.next();
     check(light);
-    const int channels = light.channels();
-    check_channels("light", channels, channels_.largest());
-    channels_.make_room(channels);
-    lights_.add(std::move(light));
-    channels_.add(channels);
+    add_counted("light", std::move(light), lights_, channels_);
     local_light_version_ = new_version();
     return id;
 }
@@ -237,16 +256,9 @@ void Scene::remove_light(std::uint32_t id) {
 }
 
 void Scene::set_light(std::uint32_t id, LocalLight light) {
-    const std::size_t index = lights_.index_of(id);
+    LocalLight& changed = lights_[lights_.index_of(id)];
     check(light);
-    const int before = lights_[index].channels();
-    check_channels("light", light.channels(), channels_.largest_without(before));
-    if (lights_[index] == light) return;
-    channels_.make_room(light.channels());
-    channels_.add(light.channels());
-    channels_.remove(before);
-    lights_[index] = std::move(light);
-    local_light_version_ = new_version();
+    if (set_counted("light", std::move(light), changed, channels_)) local_light_version_ = new_version();
 }
 
 bool Scene::has_local_lights() const {
@@ -264,11 +276,7 @@ void Scene::hide_emitters(bool hide) {
 std::uint32_t Scene::add_element(SceneElement element) {
     const std::uint32_t id = elements_.next();
     check_element(element);
-    const int channels = element.channels();
-    check_channels("element", channels, channels_.largest());
-    channels_.make_room(channels);
-    elements_.add(std::move(element));
-    channels_.add(channels);
+    add_counted("element", std::move(element), elements_, channels_);
     element_version_ = new_version();
     return id;
 }
@@ -282,15 +290,7 @@ void Scene::remove_element(std::uint32_t id) {
 void Scene::set_element(std::uint32_t id, SceneElement element) {
     SceneElement& changed = elements_[elements_.index_of(id)];
     check_element(element);
-    const int before = changed.channels();
-    const int channels = element.channels();
-    check_channels("element", channels, channels_.largest_without(before));
-    if (changed == element) return;
-    channels_.make_room(channels);
-    channels_.add(channels);
-    channels_.remove(before);
-    changed = std::move(element);
-    element_version_ = new_version();
+    if (set_counted("element", std::move(element), changed, channels_)) element_version_ = new_version();
 }
 
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {

@@ -26,9 +26,6 @@ struct SceneElement : PolarizationElement {
     ElementTextures textures;
     bool operator==(const SceneElement&) const = default;
 
-    [[nodiscard]] bool textured() const noexcept {
-        return textures.angle != nullptr || textures.retardance != nullptr;
-    }
     /// Returns the number of colour channels: 3 for a retarder of red, green and blue.
     [[nodiscard]] int channels() const noexcept {
         return kind == Kind::retarder && textures.retardance != nullptr ? textures.retardance->channels() : 1;

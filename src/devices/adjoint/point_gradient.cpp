@@ -4,27 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "devices/adjoint/whole_layers.hpp"
 #include "devices/pixel_lights.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/shade_gradient.hpp"
 
 namespace nicol {
-namespace {
-
-// Weight of the only layer of a material without textures.
-constexpr LayerWeights kWhole = [] {
-    LayerWeights out{.value = {}, .points = 0xFFFF, .equal = true};
-    for (Lanes& of_color : out.value) of_color.value.fill(1);
-    return out;
-}();
-constexpr std::array<LayerWeights, PixelBatch::kMost / kLanes> kWholes = [] {
-    std::array<LayerWeights, PixelBatch::kMost / kLanes> out{};
-    out.fill(kWhole);
-    return out;
-}();
-
-}  // namespace
 
 GradientSums& GradientSums::operator+=(const GradientSums& other) {
     for (std::size_t i = 0; i < distant.size(); ++i) distant[i] += other.distant[i];
@@ -80,11 +66,13 @@ void PointGradient::add(std::size_t first, std::size_t last, GradientSums& sums)
     add(work.points.whole, [&] {
         add_distant(work, sums);
         if (work.batch.reflects_lights()) add_lights(work, sums);
-        add_texture(work, {.distant = true, .local = work.batch.reflects_lights()});
+        add_texture(
+            work,
+            {.positions = work.positions, .normals = work.normals, .local = work.batch.reflects_lights()});
     });
     add(work.points.parts, [&] {
         add_lights(work, sums);
-        add_texture(work, {.distant = false, .local = true});
+        add_texture(work, {.positions = {}, .normals = {}, .local = true});
     });
 }
 
@@ -121,7 +109,7 @@ void PointGradient::add_distant(Work& work, GradientSums& sums) const {
     const std::span normals = std::span(work.normals).first(points.size());
     const std::vector<const ResponseTable*>& layers = responses_[points.front().range];
     const std::span<const LayerWeights> weights =
-        work.batch.weights().empty() ? std::span<const LayerWeights>(kWholes).first(surfaces.size())
+        work.batch.weights().empty() ? std::span<const LayerWeights>(kWholeLayers).first(surfaces.size())
                                      : work.batch.weights();
     work.light.resize(input_.layout, picture_.channels, PixelBatch::kMost);
     shade_gradient(input_.layout, layers, weights, work.batch.views(), positions, normals, work.gradient,

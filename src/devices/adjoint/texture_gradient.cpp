@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
+#include "devices/adjoint/whole_layers.hpp"
+#include "devices/light_for_pixels.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/shade_gradient.hpp"
 #include "surfaces/local_lights.hpp"
@@ -17,10 +20,8 @@ constexpr std::size_t kBlocks = PixelBatch::kMost / kLanes;
 
 // Returns weights that leave one of the layers alone: [block][layer].
 void only(std::size_t layer, std::size_t layers, std::size_t blocks, std::vector<LayerWeights>& out) {
-    LayerWeights whole{.value = {}, .points = 0xFFFF, .equal = true};
-    for (Lanes& of_color : whole.value) of_color.value.fill(1);
     out.assign(blocks * layers, LayerWeights{.value = {}, .points = 0, .equal = true});
-    for (std::size_t block = 0; block < blocks; ++block) out[block * layers + layer] = whole;
+    for (std::size_t block = 0; block < blocks; ++block) out[block * layers + layer] = kWholeLayer;
 }
 
 bool has_factor(const MaterialLayer& layer, std::size_t texture) {
@@ -32,10 +33,10 @@ bool has_factor(const MaterialLayer& layer, std::size_t texture) {
 
 // Work space for a batch of points.
 struct TextureGradient::Work {
-    std::vector<glm::vec3> positions, normals;
     std::vector<LayerWeights> weights;
     std::vector<glm::vec4> stokes;
     VertexLight light;
+    std::vector<float> own;
     std::vector<double> by_weight;                       // of one layer, [channel][point]
     std::array<std::array<Lanes, 4>, kBlocks> by_value;  // [block][channel of the texture]
 };
@@ -69,21 +70,16 @@ void TextureGradient::relight(const VisibilityProduct* shadows, RenderRun& run) 
     constexpr std::array<glm::vec3, 1> any{glm::vec3(0, 0, 1)};
     unoccluded_.resize(input_.layout, channels, kLanes);
     light.run(any, 0, 1, unoccluded_);
-    rotation_.into_world(any, unoccluded_, 0);
-    unoccluded_.to_rows(0);
+    leave_for_pixels(rotation_, nullptr, any, 0, 1, unoccluded_);
     if (shadows == nullptr) return;
     const std::span normals(input_.geometry.normals);
     light_.resize(input_.layout, channels, normals.size());
-    run.workers.for_blocks(
-        light_.blocks(), "relight", run.progress, [&](std::size_t first, std::size_t last) {
-            light.run(normals, first, last, light_);
-            shadows->run(light_, first, last);
-            for (std::size_t block = first; block < last; ++block) {
-                const std::size_t v = block * kLanes;
-                rotation_.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light_, block);
-                light_.to_rows(block);
-            }
-        });
+    run.workers.for_blocks(light_.blocks(), "relight", run.progress,
+                           [&](std::size_t first, std::size_t last) {
+                               light.run(normals, first, last, light_);
+                               shadows->run(light_, first, last);
+                               leave_for_pixels(rotation_, nullptr, normals, first, last, light_);
+                           });
 }
 
 void TextureGradient::add(PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
@@ -92,17 +88,11 @@ void TextureGradient::add(PixelBatch& batch, std::span<const std::span<glm::vec4
     const std::size_t range = batch.points().front().range;
     const std::span layers(input_.geometry.ranges[range].material->variation()->layers);
     const std::size_t blocks = batch.surfaces().size();
-    work.positions.clear();
-    work.normals.clear();
-    for (const LaneSurface& surface : batch.surfaces()) {
-        work.positions.insert(work.positions.end(), surface.positions.begin(), surface.positions.end());
-        work.normals.insert(work.normals.end(), surface.normals.begin(), surface.normals.end());
-    }
     for (std::size_t block = 0; block < blocks; ++block) work.by_value[block] = {};
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         if (!has_factor(layers[layer], *of_ranges_[range])) continue;
         work.by_weight.assign(stokes.size() * batch.points().size(), 0);
-        if (reflected.distant) add_distant(batch, layer, stokes, work);
+        if (!reflected.normals.empty()) add_distant(batch, reflected, layer, stokes, work);
         if (reflected.local && input_.local_lights != nullptr) add_local(batch, layer, stokes, work);
         add_values(batch, layer, work);
     }
@@ -112,41 +102,43 @@ void TextureGradient::add(PixelBatch& batch, std::span<const std::span<glm::vec4
     }
 }
 
-void TextureGradient::add_distant(const PixelBatch& batch, std::size_t layer,
+void TextureGradient::add_distant(const PixelBatch& batch, const Reflected& reflected, std::size_t layer,
                                   std::span<const std::span<glm::vec4>> stokes, Work& work) const {
     const std::span points = batch.points();
     const std::size_t blocks = batch.surfaces().size(), numbers = input_.layout.size();
-    const std::span normals = std::span(work.normals).first(points.size());
+    const std::span normals = reflected.normals.first(points.size());
     const std::array<const ResponseTable*, 1> response{responses_[points.front().range][layer]};
-    only(0, 1, blocks, work.weights);
     work.light.resize(input_.layout, static_cast<int>(stokes.size()), PixelBatch::kMost);
-    shade_gradient(input_.layout, response, work.weights, batch.views(),
-                   std::span(work.positions).first(points.size()), normals, stokes, work.light);
-    const bool shadowed = points.front().occluded != 0;
+    shade_gradient(input_.layout, response, std::span(kWholeLayers).first(blocks), batch.views(),
+                   reflected.positions.first(points.size()), normals, stokes, work.light);
     for (std::size_t block = 0; block < blocks; ++block) {
-        const std::size_t begin = block * kLanes, count = std::min(kLanes, points.size() - begin);
-        rotation_.into_world(normals.subspan(begin, count), work.light, block);
+        const std::size_t begin = block * kLanes;
+        rotation_.into_world(normals.subspan(begin, std::min(kLanes, points.size() - begin)), work.light,
+                             block);
         work.light.to_rows(block);
-        for (std::size_t i = 0; i < count; ++i) {
-            const float* const row = work.light.row(begin + i);
-            const glm::uvec3& corners = input_.geometry.triangles[points[begin + i].triangle];
-            for (std::size_t c = 0; c < stokes.size(); ++c) {
-                const std::size_t own = input_.light.channels() == 1 ? 0 : c;
-                double sum = 0;
-                for (std::size_t j = 0; j < numbers; ++j) {
-                    const std::size_t at = own * numbers + j;
-                    float light = 0;
-                    if (shadowed)
-                        for (glm::length_t k = 0; k < 3; ++k)
-                            light += batch.surfaces()[block].weights[static_cast<std::size_t>(k)][i] *
-                                     light_.row(corners[k])[at];
-                    else
-                        light = unoccluded_.row(0)[at];
-                    sum += double{row[c * numbers + j]} * double{light};
-                }
-                work.by_weight[c * points.size() + begin + i] += double{input_.light_factors.of[c]} * sum;
-            }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        find_own(batch, i, work);
+        const float* gradient = work.light.row(i);
+        for (std::size_t c = 0; c < stokes.size(); ++c, gradient += numbers) {
+            const float* const own = work.own.data() + (input_.light.channels() == 1 ? 0 : c * numbers);
+            work.by_weight[c * points.size() + i] +=
+                double{input_.light_factors.of[c]} *
+                std::inner_product(gradient, gradient + numbers, own, 0.0);
         }
+    }
+}
+
+void TextureGradient::find_own(const PixelBatch& batch, std::size_t point, Work& work) const {
+    const float* const unoccluded = unoccluded_.row(0);
+    work.own.assign(unoccluded, unoccluded + unoccluded_.row_size());
+    if (batch.points()[point].occluded == 0) return;
+    const glm::uvec3& corners = input_.geometry.triangles[batch.points()[point].triangle];
+    const std::array<Lanes, 3>& weights = batch.surfaces()[point / kLanes].weights;
+    std::ranges::fill(work.own, 0.0F);
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        const float* const row = light_.row(corners[static_cast<glm::length_t>(k)]);
+        for (std::size_t j = 0; j < work.own.size(); ++j) work.own[j] += weights[k][point % kLanes] * row[j];
     }
 }
 

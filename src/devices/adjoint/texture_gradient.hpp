@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
@@ -29,10 +30,11 @@ public:
     /// Returns whether the texture is a factor of what a range's material reflects.
     [[nodiscard]] bool varies(std::size_t range) const { return of_ranges_[range].has_value(); }
 
-    /// Kinds of light that a batch of points reflects.
+    /// Light that a batch of points reflects.
     struct Reflected {
-        bool distant;  ///< distant light
-        bool local;    ///< local lights
+        /// Positions and normals of the points, which reflect distant light; empty: they reflect none.
+        std::span<const glm::vec3> positions, normals;
+        bool local;  ///< whether local lights are reflected
     };
     /// Adds the gradient of a batch of points whose range varies(). stokes: the gradient of what the points
     /// reflect, [channel][point]. Changes the batch's weights.
@@ -46,8 +48,10 @@ private:
 
     void relight(const VisibilityProduct* shadows, RenderRun& run);
     /// Adds to work.by_weight what the points reflect of distant light by one layer.
-    void add_distant(const PixelBatch& batch, std::size_t layer, std::span<const std::span<glm::vec4>> stokes,
-                     Work& work) const;
+    void add_distant(const PixelBatch& batch, const Reflected& reflected, std::size_t layer,
+                     std::span<const std::span<glm::vec4>> stokes, Work& work) const;
+    /// Sets work.own to a row of the light at a point, in the geometry's axes.
+    void find_own(const PixelBatch& batch, std::size_t point, Work& work) const;
     /// Does the same for local lights.
     void add_local(PixelBatch& batch, std::size_t layer, std::span<const std::span<glm::vec4>> stokes,
                    Work& work) const;

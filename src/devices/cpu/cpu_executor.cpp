@@ -8,6 +8,7 @@
 #include <deque>
 
 #include "devices/cpu/vertex_image.hpp"
+#include "devices/light_for_pixels.hpp"
 #include "devices/vertex_lights.hpp"
 #include "draw/pixel_image.hpp"
 #include "draw/vertex_buffers.hpp"
@@ -35,18 +36,6 @@ void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Bod
         const std::size_t begin = i;
         while (i < last && stale(i)) ++i;
         body(begin, i);
-    }
-}
-
-// Rotates light from the vertices' frames into the geometry's axes, adds bounced light (null: none), and
-// stores the sum as rows.
-void leave_for_pixels(const FrameRotation& back, const Bounces* bounces, std::span<const glm::vec3> normals,
-                      std::size_t first, std::size_t last, VertexLight& light) {
-    for (std::size_t block = first; block < last; ++block) {
-        const std::size_t v = block * kLanes;
-        back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light, block);
-        if (bounces != nullptr) bounces->add_to(light, block, block + 1);
-        light.to_rows(block);
     }
 }
 

@@ -13,21 +13,19 @@ namespace {
 // Index of the far side relative to the ray's, as Fresnel's formulas need it, on the outside and the inside.
 template <class Real>
 struct Sides {
-    explicit Sides(const SmoothBoundary& boundary)
-        : Sides(boundary, boundary.behind == SmoothBoundary::Behind::slab) {}
-
     bool slab;
     std::array<Real, 2> eta;
     std::array<RelativeIndex<Real>, 2> index;
-
-private:
-    Sides(const SmoothBoundary& boundary, bool is_slab)
-        : Sides(is_slab, {boundary.eta, is_slab ? boundary.eta : 1 / boundary.eta}) {}
-    Sides(bool is_slab, const std::array<double, 2>& of)
-        : slab(is_slab),
-          eta{static_cast<Real>(of[0]), static_cast<Real>(of[1])},
-          index{RelativeIndex<Real>(of[0]), RelativeIndex<Real>(of[1])} {}
 };
+
+template <class Real>
+Sides<Real> sides_of(const SmoothBoundary& boundary) {
+    const bool slab = boundary.behind == SmoothBoundary::Behind::slab;
+    const double outside = boundary.eta, inside = slab ? boundary.eta : 1 / boundary.eta;
+    return {.slab = slab,
+            .eta = {static_cast<Real>(outside), static_cast<Real>(inside)},
+            .index = {RelativeIndex<Real>(outside), RelativeIndex<Real>(inside)}};
+}
 
 // Directions of the light that a boundary sends against a ray.
 template <class Number>
@@ -248,10 +246,10 @@ void split_lanes(const SmoothBoundary& boundary, const BoundaryHits& hits, LaneS
     dispatch<find_even<FourLanes>, find_even<EightLanes>, find_even<AllLanes>>(hits.triangles, even);
     if (even)
         dispatch<split_all<FourLanes, float>, split_all<EightLanes, float>, split_all<AllLanes, float>>(
-            Sides<float>(boundary), hits, out);
+            sides_of<float>(boundary), hits, out);
     else
         dispatch<split_all<TwoDoubles, double>, split_all<FourDoubles, double>,
-                 split_all<EightDoubles, double>>(Sides<double>(boundary), hits, out);
+                 split_all<EightDoubles, double>>(sides_of<double>(boundary), hits, out);
     if (boundary.film)
         take_film([&](double cosine, bool inside) { return mean_split_of(boundary, cosine, inside); }, out);
 }
