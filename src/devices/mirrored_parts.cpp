@@ -17,12 +17,14 @@ glm::vec3 mirror(const glm::vec3& sight, const glm::vec3& normal) {
     return sight - 2 * glm::dot(sight, normal) * normal;
 }
 
-// Returns the pixel with the mean and the second moments of parts, each of which is as wide as its part of
-// the even pixel. mirrored: unit direction that the shown point mirrors.
-MirroredPixel covering(const MirroredParts& parts, const MirroredPixel& even, const glm::vec3& mirrored) {
+using Changes = std::array<glm::vec3, MirroredParts::kCount>;
+
+// Returns the pixel with the mean and the second moments of the changes that its parts see, each as wide as
+// its part of the even pixel. mirrored: unit direction that the shown point mirrors.
+MirroredPixel covering(const Changes& seen, const MirroredPixel& even, const glm::vec3& mirrored) {
     constexpr float share = 1.0F / MirroredParts::kCount;
     MirroredPixel out;
-    for (const glm::vec3& from : parts.from) out.shift += share * from;
+    for (const glm::vec3& from : seen) out.shift += share * from;
     const glm::vec3 x(perpendicular(glm::dvec3(mirrored)));
     const std::array<glm::vec3, 2> axes{x, glm::cross(mirrored, x)};
     const auto across = [&](const glm::vec3& v) {
@@ -31,7 +33,7 @@ MirroredPixel covering(const MirroredParts& parts, const MirroredPixel& even, co
     // Twelve times the covariance, because that of an even distribution along a step is a twelfth of its
     // square.
     glm::mat2 moments(0.0F);
-    for (const glm::vec3& from : parts.from) {
+    for (const glm::vec3& from : seen) {
         const glm::vec2 away = across(from - out.shift);
         moments += 12 * share * glm::outerProduct(away, away);
     }
@@ -57,12 +59,14 @@ MirroredParts mirrored_parts(const glm::vec3& sight, const glm::vec3& normal,
                              MirroredPixel& pixel) {
     const glm::vec3 mirrored = mirror(sight, normal);
     MirroredParts out;
+    std::ranges::copy(normals, out.normals.begin());
+    Changes seen;
     for (std::size_t part = 0; part < MirroredParts::kCount; ++part) {
         const glm::vec2 place = MirroredParts::middle(part);
-        out.from[part] = pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1] +
-                         mirror(sight, normals[part]) - mirrored;
+        out.from[part] = pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1];
+        seen[part] = out.from[part] + mirror(sight, normals[part]) - mirrored;
     }
-    pixel = covering(out, pixel, mirrored);
+    pixel = covering(seen, pixel, mirrored);
     return out;
 }
 

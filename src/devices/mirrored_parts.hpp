@@ -10,9 +10,9 @@
 
 namespace nicol {
 
-/// Returns what the parts of a pixel see mirrored. sight: unit direction from the viewer to the shown point.
-/// normal: its unit shading normal. normals: those of the parts, row by row. pixel: what the pixel sees
-/// without the texture's changes; becomes the pixel with the mean and the second moments of its parts.
+/// Returns the parts of a pixel. sight: unit direction from the viewer to the shown point. normal: its unit
+/// shading normal. normals: those of the parts, row by row. pixel: what the pixel sees without the texture's
+/// changes; becomes the pixel with the mean and the second moments of what its parts see.
 [[nodiscard]] MirroredParts mirrored_parts(const glm::vec3& sight, const glm::vec3& normal,
                                            std::span<const glm::vec3, MirroredParts::kCount> normals,
                                            MirroredPixel& pixel);

@@ -13,17 +13,6 @@
 namespace nicol {
 namespace {
 
-// Share of SampleHalves::noise() for nodes that are close enough and all lit; measured. Brushed lobes have
-// rows of nodes.
-constexpr float kNodesError = 0.1F;
-constexpr float kBrushedNodesError = 0.05F;
-// Lobes so much longer than wide have so many nodes that the middles of their blobs sample the lobe well.
-constexpr double kLongLobe = 3;
-
-// Standard deviation of blobs that mirrors resolve, relative to the environment's narrowest ones; measured.
-// Nodes closer to each other change a mirror's image by 0.2 % and double its cost.
-constexpr float kResolved = 0.25F;
-
 constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F), glm::vec2(0.25F, 0.75F),
                                              glm::vec2(0.75F, 0.25F)};
 
@@ -44,6 +33,7 @@ LitBatch::LitBatch(const Views& views, const LitPoints& points, const LitMateria
     : positions_(in_lanes(points.positions)),
       origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
       facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
+      views_(views),
       points_(points),
       material_(material),
       sums_(sums),
@@ -82,14 +72,22 @@ void LitBatch::add_samples(const Sampling& sampling, std::uint32_t first, std::u
         Lanes u{}, v{};
         if (sampling.radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
         sampling.light.sample(positions_, u, v, light_);
-        const std::uint32_t lit = reached(lit_points());
+        const std::uint32_t across = places_.across(light_, sampling.lobe, all);
+        const bool in_parts = across != 0 && parts_;
+        const std::uint32_t lit = reached(in_parts ? facing_parts() : lit_points());
         if (lit == 0) continue;
         const float factor = 1 / static_cast<float>(all);
-        for_places(sampling.lobe, k, all, [&](float share) {
+        const auto reflect = [&](const ReflectedLight& at, float share) {
             for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-                reflected_.add(layer, weights, light_, there, share * factor, sums, sampling.find_it);
+                at.add(layer, weights, light_, there, share * factor, sums, sampling.find_it);
             });
-        });
+        };
+        if (across == 0)
+            reflect(reflected_, 1.0F);
+        else if (!in_parts)
+            for_places(across, k, all, [&](float share, std::size_t) { reflect(reflected_, share); });
+        else
+            for_parts(across, k, all, reflect);
     }
 }
 
@@ -168,6 +166,7 @@ void LitBatch::find_places() {
     if (points_.mirrored != nullptr)
         places_ = PixelPlaces(*points_.mirrored, points_.positions.size(), points_.parts,
                               reflected_.mirrored_directions());
+    if (!points_.parts.empty()) parts_.emplace(views_, points_.positions, points_.tangents, points_.parts);
 }
 
 void LitBatch::add_mirrored(const LightSource& source) {
@@ -184,16 +183,6 @@ void LitBatch::add_focused(const FocusedLight& focused, SampledTerms find_it) {
         // Rays that pass glass show sampled lobes the whole environment, its lights included.
         reflected_.add(layer, weights, light_, there, 1.0F, sums_, find_it, points_.rays_pass_glass);
     });
-}
-
-void LitBatch::add_environment(const SampledEnvironment& environment) {
-    for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-        for (const Lobe& lobe : ReflectedLight::sampled_lobes(layer, environment.sampled()))
-            add_lobe(environment, layer, lobe, weights, there);
-    });
-    if (environment.sampled().kind != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
-    look_up_mirrored(environment);
-    add_mirrored();
 }
 
 bool LitBatch::any_layer_has(bool smooth) const {
@@ -213,137 +202,36 @@ LightingTally LitBatch::tally() const {
     return out;
 }
 
-void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
-                        const LayerWeights* weights, std::uint32_t there) {
-    const bool whole = finds_lights(lobe, environment.sampled());
-    const LaneFrames frames = environment.in_environment(reflected_.frames());
-    const WeightedTerms terms =
-        ReflectedLight::sampled_terms(layer, environment.sampled(), lobe, sums_.size());
-    const double shorter = std::min(lobe.alpha.x, lobe.alpha.y);
-    const double longer = std::max(lobe.alpha.x, lobe.alpha.y);
-    // A shadow ray meets a single point of what a node's blob shows. With few nodes, the middles of blobs
-    // would give shadows steps.
-    const bool scattered = longer < kLongLobe * shorter;
-    const float error = shorter == longer ? kNodesError : kBrushedNodesError;
-    for (const SlopePart& part : slope_parts(lobe.distribution)) {
-        const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
-        const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
-        const std::uint32_t even = (pairs + 1) / 2;
-        seen_lit_ = seen_hidden_ = 0;
-        LightShadows shadowing(before_lobes(), points_.places, 2 * even);
-        seed(~sampled_parts_++);
-        // Returns the points that light_, the light of a node, reaches.
-        const auto lit_by = [&](const ReflectedNode& node, std::uint32_t k) {
-            return reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
-        };
-        const auto reflect = [&](std::uint32_t lit) {
-            if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
-        };
-        // Even pairs come first, because either half of the pairs is spread over the lobe.
-        SampleHalves halves(sums_, points_.noise_factors);
-        for (std::uint32_t k = 0; k < pairs; ++k) {
-            if (k == even) halves.end_first();
-            const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;
-            if (environment.polarized()) {
-                for (std::uint32_t n = 0; n < 2; ++n) {
-                    const ReflectedNode node = nodes.node(2 * own + n);
-                    environment.look_up(whole, frames, node, light_);
-                    reflect(lit_by(node, 2 * k + n));
-                }
-                continue;
-            }
-            const ReflectedPair pair = nodes.pair(own);
-            thread_local std::vector<std::array<Lanes, 4>> first;
-            PairLight light;
-            // The light of neighbours leans alike.
-            environment.look_up(whole, frames, pair.nodes[0], light_, light.lean);
-            const std::uint32_t first_lit = lit_by(pair.nodes[0], 2 * k);
-            hide(there & ~first_lit, light_);
-            light.brightness[0] = brightness(light_);
-            std::swap(first, light_.irradiance);
-            environment.look_up(whole, frames, pair.nodes[1], light_);
-            const std::uint32_t lit = lit_by(pair.nodes[1], 2 * k + 1);
-            hide(there & ~lit, light_);
-            light.brightness[1] = brightness(light_);
-            add_unpolarized(first, light_);
-            const PairDirection mean = nodes.direction_of(pair, light);
-            light_.towards = mean.towards;
-            scale(mean.factors, light_);
-            reflect(first_lit | lit);
-        }
-        if (even == pairs) continue;
-        Lanes shares;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float square = nodes.excess()[i] * nodes.excess()[i];
-            // A scattered ray finds the light or not, whatever its neighbours find.
-            const bool some_hidden = scattered && (seen_lit_ & seen_hidden_ & std::uint32_t{1} << i) != 0;
-            shares[i] = std::max(std::min(1.0F, error * square * square), some_hidden ? kShareOfHalves : 0);
-        }
-        noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);
-    }
-}
-
-std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& node,
-                                std::optional<std::uint32_t> scattered, std::uint32_t there) {
-    if (!shadows_ && points_.facets.empty() && points_.unperturbed.empty()) return there;
-    const LaneVectors local = light_.towards;
-    out_of_frames(reflected_.frames(), local, light_.towards);
-    const std::uint32_t facing = there & facing_points();
-    std::uint32_t lit = facing;
-    if (shadows_ && facing != 0) {
-        const LaneVectors middle = light_.towards;
-        if (scattered) {
-            Lanes u, v;
-            light_samples(*scattered, std::span(seeds_).first(points_.normals.size()), u, v);
-            scatter(points_.normals, node.variances, u, v, light_);
-        }
-        lit = shadowing.reached(light_, facing);
-        light_.towards = middle;
-        seen_lit_ |= lit;
-        seen_hidden_ |= facing & ~lit;
-    }
-    if (points_.bounced != nullptr && lit != facing) {
-        hide(facing & ~lit, light_);
-        points_.bounced->add_to(only(facing & ~lit, node.weights), light_);
-        lit = facing;
-    }
-    if (lit != 0) dim();
-    light_.towards = local;
-    return lit;
-}
-
-void LitBatch::look_up_mirrored(const SampledEnvironment& environment) {
-    thread_local std::vector<std::array<Lanes, 4>> sums;
-    const LaneFrames frames = environment.in_environment(reflected_.frames());
-    const ReflectedNodes nodes(environment.grids(), kResolved * environment.narrowest(),
-                               reflected_.towards_viewer(), pixels_);
-    sums.clear();
-    for (std::size_t k = 0; k < nodes.count(); ++k) {
-        environment.look_up(true, frames, nodes.node(k), light_);
-        sums.resize(light_.irradiance.size(), {});
-        for (std::size_t c = 0; c < sums.size(); ++c)
-            for (std::size_t p = 0; p < light_.components; ++p)
-                for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
-    }
-    std::ranges::copy(sums, light_.irradiance.begin());
-    out_of_frames(reflected_.frames(), light_.towards, light_.towards);
-    if (light_.components > 1) out_of_frames(reflected_.frames(), light_.x, light_.x);
-}
-
 template <class Reflect>
-void LitBatch::for_places(double lobe, std::uint32_t sample, std::uint32_t samples, const Reflect& reflect) {
-    const std::uint32_t across = places_.across(light_, lobe, samples);
-    if (across == 0) return reflect(1.0F);
+void LitBatch::for_places(std::uint32_t across, std::uint32_t sample, std::uint32_t samples,
+                          const Reflect& reflect) {
     const LaneVectors towards = light_.towards, x = light_.x;
     const auto count = static_cast<float>(across);
     // Four samples after one another shift the places to the middles of four quarters.
     const glm::vec2 shift = samples == 1 ? glm::vec2(0.5F) : kQuarters[sample % kQuarters.size()];
     for (std::uint32_t down = 0; down < across; ++down)
         for (std::uint32_t right = 0; right < across; ++right) {
-            const glm::vec2 place(static_cast<float>(right), static_cast<float>(down));
-            places_.move(towards, x, (place + shift) / count - 0.5F, light_);
-            reflect(1 / (count * count));
+            const glm::vec2 corner(static_cast<float>(right), static_cast<float>(down));
+            const glm::vec2 place = (corner + shift) / count - 0.5F;
+            places_.move(towards, x, place, light_);
+            reflect(1 / (count * count), MirroredParts::at(place));
         }
+}
+
+template <class Reflect>
+void LitBatch::for_parts(std::uint32_t across, std::uint32_t sample, std::uint32_t samples,
+                         const Reflect& reflect) {
+    thread_local std::vector<std::array<Lanes, 4>> whole;
+    const bool dims = !points_.unperturbed.empty();
+    if (dims) whole = light_.irradiance;
+    for_places(across, sample, samples, [&](float share, std::size_t part) {
+        const ReflectedLight& at = parts_->at(part);
+        if (dims) {
+            light_.irradiance = whole;
+            dim_at_slant(points_.unperturbed, parts_->normals(part), light_);
+        }
+        reflect(at, share);
+    });
 }
 
 void LitBatch::add_mirrored() {
@@ -353,15 +241,6 @@ void LitBatch::add_mirrored() {
     for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
         reflected_.add_mirrored(layer, weights, light_, there, sums_);
     });
-}
-
-template <class Reflect>
-void LitBatch::for_layers(std::uint32_t points, const Reflect& reflect) const {
-    for (std::size_t l = 0; l < material_.layers.size(); ++l) {
-        const LayerWeights* const weights = material_.weights.empty() ? nullptr : &material_.weights[l];
-        const std::uint32_t there = weights != nullptr ? points & weights->points : points;
-        if (there != 0) reflect(*material_.layers[l], weights, there);
-    }
 }
 
 std::uint32_t LitBatch::lit_points() {
@@ -376,6 +255,12 @@ void LitBatch::dim() {
 std::uint32_t LitBatch::facing_points() const {
     const std::uint32_t lit = all_ & light_.points & reflected_.lit(light_);
     return points_.facets.empty() ? lit : lit & above(facets_, light_);
+}
+
+std::uint32_t LitBatch::facing_parts() {
+    std::uint32_t lit = 0;
+    for (std::size_t part = 0; part < MirroredParts::kCount; ++part) lit |= parts_->at(part).lit(light_);
+    return all_ & lit & above(facets_, light_);
 }
 
 double LitBatch::narrowest_lobe(SampledTerms find_it) const {

@@ -11,6 +11,7 @@
 
 #include "light/lane_light.hpp"
 #include "shading/local_lighting.hpp"
+#include "shading/part_reflections.hpp"
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_light.hpp"
 #include "shading/reflected_nodes.hpp"
@@ -81,10 +82,15 @@ private:
                           std::optional<std::uint32_t> scattered, std::uint32_t there);
     // Sets the light to the mean over the pixels around the mirrored directions.
     void look_up_mirrored(const SampledEnvironment& environment);
-    // Calls reflect(share) for places of the pixels, with the light as these places reflect it. lobe: the
-    // narrowest_lobe(). sample: number of the light sample, of `samples`.
+    // Calls reflect(share, part) for places of the pixels, across x across of them, with the light as these
+    // places reflect it. part: the part of the pixels at the place. sample: number of the light sample, of
+    // `samples`.
     template <class Reflect>
-    void for_places(double lobe, std::uint32_t sample, std::uint32_t samples, const Reflect& reflect);
+    void for_places(std::uint32_t across, std::uint32_t sample, std::uint32_t samples,
+                    const Reflect& reflect);
+    // Calls reflect(reflection, share) for places within parts, with the light dimmed for each.
+    template <class Reflect>
+    void for_parts(std::uint32_t across, std::uint32_t sample, std::uint32_t samples, const Reflect& reflect);
     void add_mirrored();
     // Calls reflect(layer, weights, points) for those points that each layer covers.
     template <class Reflect>
@@ -93,6 +99,8 @@ private:
     std::uint32_t lit_points();
     void dim();
     [[nodiscard]] std::uint32_t facing_points() const;
+    // Returns the points of whose pixels the light may reach any part.
+    [[nodiscard]] std::uint32_t facing_parts();
     // Returns the width of the narrowest rough lobe, but for terms that find the light.
     [[nodiscard]] double narrowest_lobe(SampledTerms find_it) const;
     void set_pixels(const MirroredPixels& pixels);
@@ -111,7 +119,9 @@ private:
     std::optional<ShadowRays> shadows_, before_environment_, before_mirrors_;
     ReflectedLight reflected_;
     PixelPlaces places_;
-    std::uint64_t rays_spared_ = 0;  // shadow rays of dim lights that were added without shadows
+    std::optional<PartReflections> parts_;  // set if textures perturb normals within the pixels
+    std::uint64_t rays_spared_ = 0;         // shadow rays of dim lights that were added without shadows
+    const Views& views_;
     const LitPoints& points_;
     const LitMaterial& material_;
     LaneLight& light_ = kept_light();
@@ -123,5 +133,14 @@ private:
     std::uint32_t all_;
     std::array<std::uint32_t, kLanes> seeds_{};
 };
+
+template <class Reflect>
+void LitBatch::for_layers(std::uint32_t points, const Reflect& reflect) const {
+    for (std::size_t l = 0; l < material_.layers.size(); ++l) {
+        const LayerWeights* const weights = material_.weights.empty() ? nullptr : &material_.weights[l];
+        const std::uint32_t there = weights != nullptr ? points & weights->points : points;
+        if (there != 0) reflect(*material_.layers[l], weights, there);
+    }
+}
 
 }  // namespace nicol

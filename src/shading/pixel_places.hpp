@@ -15,11 +15,12 @@
 
 namespace nicol {
 
-/// Directions that parts of a pixel see mirrored.
+/// Parts of a pixel, row by row, with normals that a texture perturbs more finely than the pixel.
 struct MirroredParts {
     static constexpr std::size_t kAcross = LaneSurface::kPartsAcross;
     static constexpr std::size_t kCount = kAcross * kAcross;
-    /// From the mirrored direction at the shaded point, at the parts' middles, row by row.
+    std::array<glm::vec3, kCount> normals;  ///< unit shading normals
+    /// From the direction that the normal mirrors at the shaded point to that at the part's middle.
     std::array<glm::vec3, kCount> from;
 
     /// Returns the place of a part's middle, from the pixel's middle: -0.5 to 0.5 to the right and down.
@@ -48,13 +49,17 @@ public:
     [[nodiscard]] std::uint32_t across(const LaneLight& light, double lobe_width,
                                        std::uint32_t samples) const;
 
+    /// Returns the parts of the points' pixels; empty: what the pixels mirror changes evenly.
+    [[nodiscard]] std::span<const MirroredParts> parts() const noexcept { return parts_; }
+
     /// Sets the light's directions, and the x axes of its frames, to `towards` and `x`, moved so that the
-    /// points reflect the light as they do at a place of their pixels. place: from the pixel's middle, -0.5
-    /// to 0.5 to the right and down.
+    /// points reflect the light as they do at a place of their pixels, with the normals of the parts there.
+    /// place: from the pixel's middle, -0.5 to 0.5 to the right and down.
     void move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place, LaneLight& out) const;
 
 private:
-    // Returns the change of the direction that a point's pixel mirrors at a place.
+    // Returns the change of the direction that a point's pixel mirrors at a place, but for that of the
+    // normal.
     [[nodiscard]] glm::vec3 seen_at(std::size_t i, const glm::vec2& place) const;
 
     LaneVectors middles_{};  // directions that the middles of the pixels mirror

@@ -45,21 +45,23 @@ TEST_CASE("parts with the pixel's own normal have the moments of the pixel") {
         CHECK(std::abs(moment(pixel, along) / moment(before, along) - 1) < 1e-4F);
 }
 
-TEST_CASE("parts see what their own normals mirror, and widen the pixel") {
+TEST_CASE("parts have their own normals, and widen the pixel by what these mirror") {
     std::array<glm::vec3, count> normals;
     for (std::size_t k = 0; k < count; ++k)
         normals[k] = glm::normalize(glm::vec3(k % 2 == 0 ? 0.2F : -0.2F, 0, 1));
     MirroredPixel pixel{};
     const MirroredParts parts = mirrored_parts(sight, normal, normals, pixel);
+    std::array<glm::vec3, count> seen;
     glm::vec3 mean(0);
     for (std::size_t k = 0; k < count; ++k) {
-        const glm::vec3 seen = sight - 2 * glm::dot(sight, normals[k]) * normals[k];
-        CHECK(glm::distance(mirrored + parts.from[k], seen) < 1e-6F);
-        mean += parts.from[k] / static_cast<float>(count);
+        CHECK(parts.normals[k] == normals[k]);
+        CHECK(glm::length(parts.from[k]) < 1e-6F);
+        seen[k] = sight - 2 * glm::dot(sight, normals[k]) * normals[k] - mirrored;
+        mean += seen[k] / static_cast<float>(count);
     }
     CHECK(glm::distance(pixel.shift, mean) < 1e-6F);
     // Two equally frequent directions have the variance of half their distance, squared.
-    const glm::vec3 apart = parts.from[0] - parts.from[1];
+    const glm::vec3 apart = seen[0] - seen[1];
     const glm::vec3 along = glm::normalize(apart - glm::dot(apart, mirrored) * mirrored);
     CHECK(std::abs(moment(pixel, along) / (3 * glm::dot(apart, along) * glm::dot(apart, along)) - 1) < 1e-3F);
 }
