@@ -59,6 +59,44 @@ template <class Number>
     }
 }
 
+template <class Number>
+[[gnu::always_inline]] inline void meet_all(const LaneVectors& origins, const LaneVectors& directions,
+                                            const LaneTriangles& triangles, LaneMeetings& out) {
+    constexpr float small = 1e-24F, large = 1e24F;
+    const Number one = Number{} + 1.0F;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> origin, direction;
+        load_part(origins, first, origin);
+        load_part(directions, first, direction);
+        std::array<Vector3<Number>, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            load_part(triangles.corners[k], first, corners[k]);
+            corners[k] = minus_scaled(corners[k], one, origin);
+        }
+        const auto& [a, b, c] = corners;
+        Number of_a, of_b, of_c, height, ahead;
+        pass_edge(b, c, direction, of_a);
+        pass_edge(c, a, direction, of_b);
+        pass_edge(a, b, direction, of_c);
+        const Number sum = of_a + of_b + of_c;
+        const Vector3<Number> normal = cross(minus_scaled(b, one, a), minus_scaled(c, one, a));
+        dot(a, normal, height);
+        dot(direction, normal, ahead);
+        const Number distance = height / ahead, inverse = 1.0F / sum;
+        store_part(distance, first, out.distances);
+        store_part(Number(of_b * inverse), first, out.b1);
+        store_part(Number(of_c * inverse), first, out.b2);
+        Number least = of_a < of_b ? of_a : of_b;
+        Number beyond = of_a < of_b ? Number{} : one;
+        beyond = of_c < least ? one + one : beyond;
+        least = of_c < least ? of_c : least;
+        least = sum > small ? least : -one;
+        least = sum < large ? least : -one;
+        least = distance > 0.0F ? least : -one;
+        store_part(Number(least >= 0.0F ? -one : beyond), first, out.beyond);
+    }
+}
+
 }  // namespace
 
 LaneTriangles LaneTriangles::of(const WorldGeometry& geometry, std::span<const std::uint32_t> triangles) {
@@ -72,6 +110,12 @@ LaneTriangles LaneTriangles::of(const WorldGeometry& geometry, std::span<const s
         }
     }
     return out;
+}
+
+void meet_planes(const LaneVectors& origins, const LaneVectors& directions, const LaneTriangles& triangles,
+                 LaneMeetings& out) {
+    dispatch<meet_all<FourLanes>, meet_all<EightLanes>, meet_all<AllLanes>>(origins, directions, triangles,
+                                                                            out);
 }
 
 LaneVectors LaneTriangles::facets(const LaneVectors& otherwise) const {

@@ -25,6 +25,18 @@ struct LaneTriangles {
     [[nodiscard]] LaneVectors facets(const LaneVectors& otherwise) const;
 };
 
+/// Points at which sixteen rays meet the planes of one triangle each.
+struct LaneMeetings {
+    Lanes distances, b1, b2;  ///< as in RayHit; undefined of a ray along the plane
+    /// -1: the ray meets the back of the triangle, inside its edges; else the number of the corner opposite
+    /// the edge that it is farthest beyond.
+    Lanes beyond;
+};
+/// Finds where rays in unit directions meet the planes of triangles. Rays meet no back of triangles smaller
+/// than about 1e-12 or larger than 1e12, because products of floats would leave their range.
+void meet_planes(const LaneVectors& origins, const LaneVectors& directions, const LaneTriangles& triangles,
+                 LaneMeetings& out);
+
 /// Edges of triangles from the first corner to the others.
 template <class Number>
 struct Edges {
@@ -63,6 +75,15 @@ template <class Number>
                                along_second * changes.second.z + along_third * changes.third.z};
     dot(here, normal, rise);
     return minus_scaled(here, rise, normal);
+}
+
+/// Computes twice the volume that an edge from a to b and a direction span, seen from the origin (Pluecker's
+/// coordinates). It is positive if the direction passes the edge on its left, seen against the direction.
+template <class Number>
+[[gnu::always_inline]] inline void pass_edge(const Vector3<Number>& a, const Vector3<Number>& b,
+                                             const Vector3<Number>& direction, Number& out) {
+    const Number one = Number{} + 1.0F;
+    dot(cross(minus_scaled(a, one, b), minus_scaled(a, Number(-one), b)), direction, out);
 }
 
 /// Returns the tangents of a geometry at points of its triangles, see tangent(): unit, or 0 if there is none.

@@ -49,6 +49,17 @@ std::vector<std::uint8_t> open_among(const WorldGeometry& geometry,
     return out;
 }
 
+ConvexBodies convex_glass(const WorldGeometry& geometry) {
+    std::vector<std::uint8_t> glass;
+    glass.reserve(geometry.ranges.size());
+    for (const VertexRange& range : geometry.ranges) {
+        // Rays pass masked triangles, which textures make.
+        const bool whole = range.material->variation() == nullptr;
+        glass.push_back(whole && smoothness_of(*range.material, false) == Smoothness::boundary ? 1 : 0);
+    }
+    return {geometry, glass};
+}
+
 }  // namespace
 
 void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bool lobes) {
@@ -56,6 +67,7 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bo
     finding_.run(surfaces.version(), surfaces.material_version(), lobes, [&] {
         of_triangles_ = nicol::of_triangles(geometry, lobes);
         open_ = open_among(geometry, of_triangles_);
+        convex_ = convex_glass(geometry);
         const auto has = [this](Smoothness smoothness) {
             return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
         };

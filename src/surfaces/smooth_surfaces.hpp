@@ -10,6 +10,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "shading/glass_shadows.hpp"
+#include "surfaces/convex_bodies.hpp"
 #include "surfaces/drawn_rays.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "versioned.hpp"
@@ -43,6 +44,9 @@ public:
     /// Returns whether rays that leave the front of a triangle meet nothing; false for triangles that are not
     /// smooth. any() must be true.
     [[nodiscard]] bool open(std::uint32_t triangle) const { return open_[triangle] != 0; }
+
+    /// Returns the convex bodies of smooth glass.
+    [[nodiscard]] const ConvexBodies& convex() const noexcept { return convex_; }
 
     /// Returns whether rays may begin at a triangle that an image shows: not at open mirrors, which reflect
     /// lights alone. any() must be true.
@@ -82,15 +86,18 @@ public:
     /// Returns a version that changes whenever the surfaces do.
     [[nodiscard]] Version version() const noexcept { return version_; }
 
-    [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size() + open_.size(); }
+    [[nodiscard]] std::uint64_t bytes() const noexcept {
+        return of_triangles_.size() + open_.size() + convex_.bytes();
+    }
 
 private:
     Stage<Version, Version, bool> finding_;  // vertices and triangles, materials, whether rays follow lobes
     std::vector<Smoothness> of_triangles_;
     std::vector<std::uint8_t> open_;  // 1: open triangles
-    bool mirrors_ = false;            // whether there are triangles of mirrors or lobes
-    bool glass_too_ = false;          // whether there are triangles of glass as well
-    Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
+    ConvexBodies convex_;
+    bool mirrors_ = false;          // whether there are triangles of mirrors or lobes
+    bool glass_too_ = false;        // whether there are triangles of glass as well
+    Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const DrawnTriangles> rays_;
     Stage<Version, Version> shading_;  // vertices and triangles, materials
     std::shared_ptr<const GlassShadows> glass_, unbent_glass_;

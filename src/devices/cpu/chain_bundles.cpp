@@ -23,6 +23,22 @@ namespace {
 
 // Bundles of fewer chains are slower than single chains.
 constexpr std::size_t kFewest = 4;
+// Rays after fewer events than this may leave a convex body where others left it.
+constexpr int kGuessedEvents = 4;
+
+// Calls body(i) for each lane whose bit is set.
+template <class Body>
+void for_lanes(std::uint32_t bits, const Body& body) {
+    for (; bits != 0; bits &= bits - 1) body(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+// Returns the triangles at which a thread's rays have left convex bodies after some events, by the columns of
+// their pixels. They may be those of another scene.
+std::span<std::uint32_t> exits_of(int events, std::size_t columns) {
+    thread_local std::vector<std::uint32_t> exits;
+    if (exits.size() < kGuessedEvents * columns) exits.resize(kGuessedEvents * columns, ~0U);
+    return std::span(exits).subspan(static_cast<std::size_t>(events) * columns, columns);
+}
 
 }  // namespace
 
@@ -30,10 +46,19 @@ constexpr std::size_t kFewest = 4;
 struct SmoothChains::Bundle {
     const VertexRange& range;
     const SmoothBoundary& boundary;
+    bool convex;  // whether the boundary is that of a convex body with nothing inside
     std::array<Shown, kLanes> shown;
-    std::vector<std::array<Lanes, 4>>& sums;  // Stokes vectors, by channel
-    std::vector<Chain>& chains;               // that leave the bundle
+    std::array<std::uint32_t, kLanes> columns;  // of the pixels
+    std::vector<std::array<Lanes, 4>>& sums;    // Stokes vectors, by channel
+    std::vector<Chain>& chains;                 // that leave the bundle
     Ends& ends;
+
+    // Returns whether a triangle is one of the boundary.
+    [[nodiscard]] bool shows(const WorldGeometry& geometry, std::uint32_t triangle) const {
+        if (triangle >= geometry.triangles.size()) return false;
+        const std::uint32_t corner = geometry.triangles[triangle].x;
+        return corner >= range.first && corner < range.last;
+    }
 };
 
 void SmoothChains::follow_bundles(std::vector<Shown>& shown, std::vector<Chain>& chains, Ends& ends,
@@ -59,7 +84,9 @@ void SmoothChains::follow_bundles(std::vector<Shown>& shown, std::vector<Chain>&
         sums.assign(out.size(), {});
         Bundle bundle{.range = vertices,
                       .boundary = boundary,
+                      .convex = input_.smooth->convex().has(some.front().range),
                       .shown = {},
+                      .columns = {},
                       .sums = sums,
                       .chains = chains,
                       .ends = ends};
@@ -80,14 +107,15 @@ void SmoothChains::follow_bundles(std::vector<Shown>& shown, std::vector<Chain>&
     }
 }
 
-void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, const Bundle& bundle) const {
+void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, Bundle& bundle) const {
     const auto columns = static_cast<std::uint32_t>(input_.hits.width());
     std::array<double, kLanes> x, y;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const auto& [pixel, sample, triangle, range] = bundle.shown[i];
         const glm::dvec2& offset = input_.hits.offsets()[sample];
         const std::uint32_t row = pixel / columns;
-        x[i] = pixel - row * columns + 0.5 + offset.x;
+        bundle.columns[i] = pixel - row * columns;
+        x[i] = bundle.columns[i] + 0.5 + offset.x;
         y[i] = row + 0.5 + offset.y;
         out.met[i] = triangle;
         out.seeds[i] =
@@ -117,33 +145,73 @@ void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, const Bundle
 
 void SmoothChains::meet(std::span<LaneChains> levels, Bundle& bundle) const {
     LaneChains& chains = levels.front();
-    const WorldGeometry& geometry = input_.geometry;
-    const auto traced = static_cast<std::uint16_t>(chains.active & ~chains.open);
-    HitPacket hits{};
-    const std::uint32_t found = input_.smooth->intersect(packet_of(chains), traced, hits);
-    bundle.ends.rays += static_cast<std::uint64_t>(std::popcount(traced));
-    std::uint32_t met = 0, any = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        if ((found >> i & 1) == 0) continue;
-        const std::uint32_t corner = geometry.triangles[hits.triangle[i]].x;
-        if (corner >= bundle.range.first && corner < bundle.range.last) {
-            met |= 1U << i;
-            any = hits.triangle[i];
-        } else {
-            bundle.chains.push_back(single(chains, i, hits.triangle[i], bundle));
-        }
+    const std::uint32_t traced = chains.active & ~chains.open;
+    std::uint32_t sky = chains.active & chains.open;
+    std::uint32_t met = bundle.convex && traced != 0 ? leave(chains, traced, bundle) : 0;
+    if (static_cast<std::size_t>(std::popcount(traced)) < kFewest) {
+        // Few chains of many bundles go on side by side as single ones.
+        for_lanes(traced, [&](std::size_t i) {
+            const std::uint32_t triangle = (met >> i & 1) != 0 ? chains.met[i] : kNoTriangle;
+            bundle.chains.push_back(single(chains, i, triangle, bundle));
+        });
+        met = 0;
+    } else {
+        bundle.ends.rays += static_cast<std::uint64_t>(std::popcount(traced));
+        if (traced != met) trace(chains, traced & ~met, met, sky, bundle);
     }
-    chains.rays.distances.value = hits.distance;
-    const std::uint32_t sky = chains.active & ~found;
+    if (bundle.convex && chains.events < kGuessedEvents) {
+        const std::span exits = exits_of(chains.events, static_cast<std::size_t>(input_.hits.width()));
+        for_lanes(met, [&](std::size_t i) { exits[bundle.columns[i]] = chains.met[i]; });
+    }
     absorb(chains, sky | met, met, bundle);
     if (sky != 0 && input_.sky != nullptr) add_sky(chains, sky, bundle);
     chains.active = met;
-    if (met == 0 || chains.events == input_.smooth_events) return;
-    for (std::size_t i = 0; i < kLanes; ++i) chains.met[i] = (met >> i & 1) != 0 ? hits.triangle[i] : any;
-    chains.rays.b1.value = hits.b1;
-    chains.rays.b2.value = hits.b2;
-    chains.rays.triangles = LaneTriangles::of(geometry, chains.met);
-    pass(levels, bundle);
+    if (met != 0 && chains.events != input_.smooth_events) pass(levels, bundle);
+}
+
+std::uint32_t SmoothChains::leave(LaneChains& chains, std::uint32_t some, const Bundle& bundle) const {
+    if (chains.events >= kGuessedEvents) return 0;
+    const std::span exits = exits_of(chains.events, static_cast<std::size_t>(input_.hits.width()));
+    std::uint32_t guessed = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::uint32_t exit = exits[bundle.columns[i]];
+        const bool known = bundle.shows(input_.geometry, exit);
+        chains.met[i] = known ? exit : bundle.shown[i].triangle;
+        guessed |= (known ? 1U : 0U) << i;
+    }
+    guessed &= some;
+    if (guessed == 0) return 0;
+    LaneMeetings found;
+    const std::uint32_t met = input_.smooth->convex().leave(chains.origins, chains.rays.directions, guessed,
+                                                            chains.met, chains.rays.triangles, found);
+    chains.rays.distances = found.distances;
+    chains.rays.b1 = found.b1;
+    chains.rays.b2 = found.b2;
+    return met;
+}
+
+void SmoothChains::trace(LaneChains& chains, std::uint32_t some, std::uint32_t& met, std::uint32_t& sky,
+                         Bundle& bundle) const {
+    HitPacket hits{};
+    const std::uint32_t found =
+        input_.smooth->intersect(packet_of(chains), static_cast<std::uint16_t>(some), hits);
+    sky |= some & ~found;
+    for_lanes(found, [&](std::size_t i) {
+        if (!bundle.shows(input_.geometry, hits.triangle[i])) {
+            bundle.chains.push_back(single(chains, i, hits.triangle[i], bundle));
+            return;
+        }
+        met |= 1U << i;
+        chains.met[i] = hits.triangle[i];
+        chains.rays.distances[i] = hits.distance[i];
+        chains.rays.b1[i] = hits.b1[i];
+        chains.rays.b2[i] = hits.b2[i];
+    });
+    if (met == 0) return;
+    const std::uint32_t any = chains.met[static_cast<std::size_t>(std::countr_zero(met))];
+    for (std::size_t i = 0; i < kLanes; ++i)
+        if ((met >> i & 1) == 0) chains.met[i] = any;
+    chains.rays.triangles = LaneTriangles::of(input_.geometry, chains.met);
 }
 
 void SmoothChains::pass(std::span<LaneChains> levels, Bundle& bundle) const {

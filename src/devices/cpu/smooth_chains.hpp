@@ -122,9 +122,16 @@ private:
     /// chains that meet others, and those of few samples or of a film, to `chains`.
     void follow_bundles(std::vector<Shown>& shown, std::vector<Chain>& chains, Ends& ends, Image out) const;
     /// Sets the first `count` chains of a bundle, which are at the boundary.
-    void begin_bundle(std::size_t count, LaneChains& out, const Bundle& bundle) const;
+    void begin_bundle(std::size_t count, LaneChains& out, Bundle& bundle) const;
     /// Finds what the rays of levels.front() meet, and goes on from the boundary. The other levels are room.
     void meet(std::span<LaneChains> levels, Bundle& bundle) const;
+    /// Finds the chains whose rays leave the bundle's body, which is convex, where rays of nearby samples
+    /// left it. Sets what they meet, and returns their bits.
+    [[nodiscard]] std::uint32_t leave(LaneChains& chains, std::uint32_t some, const Bundle& bundle) const;
+    /// Traces the rays of some chains. Adds those that meet the boundary to `met`, whose triangles are then
+    /// set, and those that meet nothing to `sky`. The others leave the bundle.
+    void trace(LaneChains& chains, std::uint32_t some, std::uint32_t& met, std::uint32_t& sky,
+               Bundle& bundle) const;
     /// Passes the boundary.
     void pass(std::span<LaneChains> levels, Bundle& bundle) const;
     /// Continues some chains beyond the boundary.

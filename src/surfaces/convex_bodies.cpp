@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/convex_bodies.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "simd/lane_transpose.hpp"
+#include "surfaces/open_triangles.hpp"
+
+namespace nicol {
+namespace {
+
+struct BodyBox {
+    glm::vec3 lower{std::numeric_limits<float>::max()};
+    glm::vec3 upper{std::numeric_limits<float>::lowest()};
+
+    void add(const glm::vec3& point) {
+        lower = glm::min(lower, point);
+        upper = glm::max(upper, point);
+    }
+    [[nodiscard]] bool meets(const BodyBox& other) const {
+        return glm::all(glm::lessThan(lower, other.upper)) && glm::all(glm::lessThan(other.lower, upper));
+    }
+};
+
+BodyBox body_box(std::span<const glm::vec3> positions) {
+    BodyBox out;
+    for (const glm::vec3& position : positions) out.add(position);
+    return out;
+}
+
+std::span<const glm::vec3> body_positions(const WorldGeometry& geometry, const VertexRange& range) {
+    return std::span(geometry.positions).subspan(range.first, range.last - range.first);
+}
+
+std::span<const glm::uvec3> of_batch(const WorldGeometry& geometry, const TriangleBatch& batch) {
+    return std::span(geometry.triangles).subspan(batch.first, batch.last - batch.first);
+}
+
+// Returns whether triangles of a range have no vertex of the range above them.
+bool is_convex(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body) {
+    const VertexRange& range = geometry.ranges[body];
+    const OpenTriangles triangles(body_positions(geometry, range));
+    const glm::uvec3 first(static_cast<std::uint32_t>(range.first));
+    return std::ranges::all_of(batches, [&](const TriangleBatch& batch) {
+        return batch.range != body ||
+               std::ranges::all_of(of_batch(geometry, batch),
+                                   [&](const glm::uvec3& of) { return triangles.open(of - first); });
+    });
+}
+
+// Returns whether a box of a range has no triangle of another one inside. boxes: of all ranges.
+bool is_empty(const WorldGeometry& geometry, std::span<const TriangleBatch> batches,
+              std::span<const BodyBox> boxes, std::size_t body) {
+    const auto inside = [&](const glm::uvec3& of) {
+        BodyBox box;
+        for (glm::length_t k = 0; k < 3; ++k) box.add(geometry.positions[of[k]]);
+        return box.meets(boxes[body]);
+    };
+    return std::ranges::none_of(batches, [&](const TriangleBatch& batch) {
+        return batch.range != body && boxes[batch.range].meets(boxes[body]) &&
+               std::ranges::any_of(of_batch(geometry, batch), inside);
+    });
+}
+
+// Returns a number for each vertex of a range, equal for those at one place.
+std::vector<std::uint32_t> places_of(std::span<const glm::vec3> positions) {
+    std::vector<std::uint32_t> order(positions.size()), out(positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto place = [&](std::uint32_t i) {
+        return std::tuple(positions[i].x, positions[i].y, positions[i].z);
+    };
+    std::ranges::sort(order, {}, place);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        out[order[i]] = i > 0 && place(order[i]) == place(order[i - 1]) ? out[order[i - 1]] : order[i];
+    return out;
+}
+
+// Sets the neighbours of a body's triangles. Edges of other than two triangles, as they are at holes, have
+// none.
+void connect(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body,
+             std::span<std::uint32_t> neighbours) {
+    const VertexRange& range = geometry.ranges[body];
+    const std::vector<std::uint32_t> places = places_of(body_positions(geometry, range));
+    struct Edge {
+        std::uint32_t first, last;  // places, in ascending order
+        std::uint32_t side;         // 3 triangle + corner
+        [[nodiscard]] auto ends() const { return std::pair(first, last); }
+    };
+    std::vector<Edge> edges;
+    for (const TriangleBatch& batch : batches) {
+        if (batch.range != body) continue;
+        edges.reserve(edges.size() + 3 * (batch.last - batch.first));
+        for (std::size_t t = batch.first; t < batch.last; ++t) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const auto place = [&](std::uint32_t corner) {
+                    return places[geometry.triangles[t][static_cast<glm::length_t>(corner % 3)] -
+                                  range.first];
+                };
+                const auto [first, last] = std::minmax({place(k + 1), place(k + 2)});
+                edges.push_back({first, last, static_cast<std::uint32_t>(3 * t) + k});
+            }
+        }
+    }
+    std::ranges::sort(edges, {}, &Edge::ends);
+    for (std::size_t begin = 0; begin < edges.size();) {
+        std::size_t end = begin + 1;
+        while (end < edges.size() && edges[end].ends() == edges[begin].ends()) ++end;
+        if (end - begin == 2) {
+            const std::uint32_t a = edges[begin].side, b = edges[begin + 1].side;
+            neighbours[a] = b / 3;
+            neighbours[b] = a / 3;
+        }
+        begin = end;
+    }
+}
+
+// Returns the positions and then the normals of a triangle's corners.
+std::array<float, 18> row_of(const WorldGeometry& geometry, std::size_t triangle) {
+    std::array<float, 18> out;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t corner = geometry.triangles[triangle][static_cast<glm::length_t>(k)];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            out[3 * k + axis] = geometry.positions[corner][static_cast<glm::length_t>(axis)];
+            out[9 + 3 * k + axis] = geometry.normals[corner][static_cast<glm::length_t>(axis)];
+        }
+    }
+    return out;
+}
+
+// Most triangles of a walk. Longer walks cost more than tracing the ray.
+constexpr int kMostSteps = 6;
+
+}  // namespace
+
+ConvexBodies::ConvexBodies(const WorldGeometry& geometry, std::span<const std::uint8_t> chosen)
+    : convex_(chosen.begin(), chosen.end()) {
+    if (std::ranges::none_of(convex_, [](std::uint8_t is) { return is != 0; })) return;
+    const std::vector<TriangleBatch> batches = triangle_batches(geometry);
+    std::vector<BodyBox> boxes;
+    boxes.reserve(geometry.ranges.size());
+    for (const VertexRange& range : geometry.ranges)
+        boxes.push_back(body_box(body_positions(geometry, range)));
+    for (std::size_t body = 0; body < convex_.size(); ++body) {
+        if (convex_[body] == 0) continue;
+        const bool convex = is_convex(geometry, batches, body) && is_empty(geometry, batches, boxes, body);
+        convex_[body] = convex ? 1 : 0;
+        if (!convex) continue;
+        if (neighbours_.empty()) {
+            rows_.resize(geometry.triangles.size());
+            neighbours_.resize(3 * geometry.triangles.size());
+            for (std::size_t i = 0; i < neighbours_.size(); ++i)
+                neighbours_[i] = static_cast<std::uint32_t>(i / 3);
+        }
+        connect(geometry, batches, body, neighbours_);
+        for (const TriangleBatch& batch : batches) {
+            if (batch.range != body) continue;
+            for (std::size_t t = batch.first; t < batch.last; ++t) rows_[t] = row_of(geometry, t);
+        }
+    }
+}
+
+std::uint32_t ConvexBodies::leave(const LaneVectors& origins, const LaneVectors& directions,
+                                  std::uint32_t some, std::array<std::uint32_t, kLanes>& triangles,
+                                  LaneTriangles& at, LaneMeetings& out) const {
+    static_assert(sizeof(LaneTriangles) == std::tuple_size_v<Row> * sizeof(Lanes));
+    std::array<const float*, kLanes> rows;
+    std::uint32_t met = 0;
+    for (int step = 1;; ++step) {
+        for (std::size_t i = 0; i < kLanes; ++i) rows[i] = rows_[triangles[i]].data();
+        to_lanes(rows, 9, &at.corners.front().x);
+        meet_planes(origins, directions, at, out);
+        met = 0;
+        bool walks = false;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            if ((some >> i & 1) == 0) continue;
+            if (out.beyond[i] < 0) {
+                met |= 1U << i;
+                continue;
+            }
+            if (step == kMostSteps) continue;
+            const std::uint32_t next =
+                neighbours_[3 * std::size_t{triangles[i]} + static_cast<std::size_t>(out.beyond[i])];
+            walks = walks || next != triangles[i];
+            triangles[i] = next;
+        }
+        if (!walks) break;
+    }
+    for (const float*& row : rows) row += 9;
+    to_lanes(rows, 9, &at.normals.front().x);
+    return met;
+}
+
+}  // namespace nicol
