@@ -147,16 +147,14 @@ void SmoothChains::meet(std::span<LaneChains> levels, Bundle& bundle) const {
     LaneChains& chains = levels.front();
     const std::uint32_t traced = chains.active & ~chains.open;
     std::uint32_t sky = chains.active & chains.open;
-    std::uint32_t met = bundle.convex && traced != 0 ? leave(chains, traced, bundle) : 0;
+    std::uint32_t met = 0;
     if (static_cast<std::size_t>(std::popcount(traced)) < kFewest) {
         // Few chains of many bundles go on side by side as single ones.
-        for_lanes(traced, [&](std::size_t i) {
-            const std::uint32_t triangle = (met >> i & 1) != 0 ? chains.met[i] : kNoTriangle;
-            bundle.chains.push_back(single(chains, i, triangle, bundle));
-        });
-        met = 0;
+        for_lanes(traced,
+                  [&](std::size_t i) { bundle.chains.push_back(single(chains, i, kNoTriangle, bundle)); });
     } else {
         bundle.ends.rays += static_cast<std::uint64_t>(std::popcount(traced));
+        if (bundle.convex) met = leave(chains, traced, bundle);
         if (traced != met) trace(chains, traced & ~met, met, sky, bundle);
     }
     if (bundle.convex && chains.events < kGuessedEvents) {
@@ -196,21 +194,36 @@ void SmoothChains::trace(LaneChains& chains, std::uint32_t some, std::uint32_t& 
     const std::uint32_t found =
         input_.smooth->intersect(packet_of(chains), static_cast<std::uint16_t>(some), hits);
     sky |= some & ~found;
+    std::uint32_t traced = 0;
     for_lanes(found, [&](std::size_t i) {
         if (!bundle.shows(input_.geometry, hits.triangle[i])) {
             bundle.chains.push_back(single(chains, i, hits.triangle[i], bundle));
             return;
         }
-        met |= 1U << i;
+        traced |= 1U << i;
         chains.met[i] = hits.triangle[i];
         chains.rays.distances[i] = hits.distance[i];
         chains.rays.b1[i] = hits.b1[i];
         chains.rays.b2[i] = hits.b2[i];
     });
+    met |= traced;
     if (met == 0) return;
     const std::uint32_t any = chains.met[static_cast<std::size_t>(std::countr_zero(met))];
     for (std::size_t i = 0; i < kLanes; ++i)
         if ((met >> i & 1) == 0) chains.met[i] = any;
+    if (bundle.convex) {
+        // Rays that were traced end at the same bits as rays whose exit was guessed.
+        std::array<std::uint32_t, kLanes> exits = chains.met;
+        LaneMeetings at;
+        const std::uint32_t left = input_.smooth->convex().leave(chains.origins, chains.rays.directions,
+                                                                 traced, exits, chains.rays.triangles, at);
+        for_lanes(left, [&](std::size_t i) {
+            chains.met[i] = exits[i];
+            chains.rays.distances[i] = at.distances[i];
+            chains.rays.b1[i] = at.b1[i];
+            chains.rays.b2[i] = at.b2[i];
+        });
+    }
     chains.rays.triangles = LaneTriangles::of(input_.geometry, chains.met);
 }
 
