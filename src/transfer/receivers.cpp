@@ -142,10 +142,14 @@ struct Choice {
     bool complete = true;  // false: there would be more than the limit
 };
 
+// former: receivers of a choice with a smaller scale, whose links the new choice takes over.
 Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<const std::uint32_t> order,
-              float scale, std::size_t limit, const BakeProgress& progress) {
+              float scale, std::size_t limit, Choice former, const BakeProgress& progress) {
     constexpr std::size_t least = 64, most = 4096;  // vertices that are examined together
     const std::span normals = search.normals();
+    std::vector<std::uint32_t> found(normals.size(), kNoVertex);  // index in former of each of its vertices
+    for (std::size_t k = 0; k < former.receivers.size(); ++k)
+        found[former.receivers[k].vertex] = static_cast<std::uint32_t>(k);
     Choice out;
     ReceiverGrid grid(scale);
     std::vector<std::vector<SurfaceLink>> links(most);
@@ -157,13 +161,20 @@ Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
             const std::uint32_t v = order[first + k];
             links[k].clear();
-            if (!reached(v)) distances[k] = search.find(v, links[k]);
+            if (reached(v)) return;
+            if (found[v] == kNoVertex) {
+                distances[k] = search.find(v, links[k]);
+            } else {
+                Choice::Receiver& known = former.receivers[found[v]];
+                distances[k] = known.distance;
+                links[k] = std::move(known.links);
+            }
         });
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t v = order[first + k];
             if (links[k].empty() || reached(v)) continue;
             grid.add(0, geometry.positions[v], normals[v], distances[k]);
-            out.receivers.push_back({v, distances[k], links[k]});
+            out.receivers.push_back({v, distances[k], std::move(links[k])});
         }
         out.complete = out.receivers.size() <= limit;
         if (!out.complete) return out;
@@ -182,11 +193,11 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
     const std::vector<std::uint32_t> order = shuffled(visibility);
     const std::size_t few = std::max(kFewReceivers, visibility.vertices() / kVerticesOfReceiver);
     float scale = 1;
-    Choice choice = choose(geometry, search, order, scale, few, progress);
+    Choice choice = choose(geometry, search, order, scale, few, {}, progress);
     for (int k = 1; !choice.complete; ++k) {
         scale *= kGrowth;
         const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
-        choice = choose(geometry, search, order, scale, limit, progress);
+        choice = choose(geometry, search, order, scale, limit, std::move(choice), progress);
     }
     constexpr std::size_t together = 4096;  // receivers between two reports
     std::size_t links = 0;

@@ -21,12 +21,17 @@ struct Corner {
     std::vector<glm::uvec3> triangles;
     TriangleSides sides;
 
-    Corner() {
+    // bent: whether neighbours have unlike normals, so that no receiver serves two vertices.
+    explicit Corner(bool bent) {
         add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
         add({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
         add({100, 0, 0}, {1, 0, 0}, {0, 1, 0});
         sides.fronts.resize(triangles.size());
         std::iota(sides.fronts.begin(), sides.fronts.end(), 0U);
+        for (std::size_t v = 0; bent && v < normals.size(); ++v) {
+            const auto angle = static_cast<float>(v);
+            normals[v] = glm::normalize(normals[v] + 0.6F * glm::vec3(std::cos(angle), std::sin(angle), 0));
+        }
     }
     void add(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v) {
         const auto first = static_cast<std::uint32_t>(positions.size());
@@ -48,6 +53,8 @@ struct Corner {
 };
 
 struct Chosen {
+    explicit Chosen(bool bent = false) : corner(bent) {}
+
     Corner corner;
     DirectionSet directions{1024};
     BakeGeometry geometry = corner.geometry();
@@ -100,8 +107,17 @@ TEST_CASE("vertices blend receivers of their own surface that are near, relative
 }
 
 TEST_CASE("links belong to their receivers, in order") {
-    const Chosen chosen;
+    bool bent = false;
+    SUBCASE("few receivers") {}
+    // The choice begins again with a larger reach, and takes over links.
+    SUBCASE("more receivers than there may be") {
+        bent = true;
+    }
+    const Chosen chosen(bent);
     const Receivers& receivers = chosen.receivers;
+    constexpr std::size_t few = 2048;
+    CHECK(receivers.vertices.size() <= few);
+    if (bent) CHECK(receivers.vertices.size() > few / 4);
     std::vector<SurfaceLink> own;
     std::size_t k = 0;
     for (std::uint32_t r = 0; r < receivers.vertices.size(); ++r) {
