@@ -13,8 +13,11 @@
 
 namespace nicol {
 
-/// Highest order of bounced light at vertices.
+/// Highest order of bounced light at vertices under distant light, whose map has this order.
 inline constexpr int kBounceOrder = 3;
+/// Highest order of bounced light at vertices under local lights alone. There is no map, so rough metal can
+/// be shown what it reflects more sharply.
+inline constexpr int kLocalBounceOrder = 5;
 /// Highest order of the distant light that bounces. What surfaces reflect to each other is so smooth that
 /// higher orders hardly matter.
 inline constexpr int kBouncingOrder = 4;

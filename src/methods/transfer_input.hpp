@@ -36,6 +36,7 @@ struct TransferInput : SurfaceState {
     /// Largest number of times that light is reflected before the reflection that is shaded; 0: direct light.
     /// Above 0, the surfaces have visibility and the light has the image's channels.
     int bounces = 0;
+    int bounce_order = 0;  ///< order of bounced light, at most that of `light`
     /// Components of bounced light. If it does not stay apart, `layout` has them, too.
     LightKind bounced = LightKind::unpolarized;
     /// Error of the bounced light, relative to all light, that ends the bounces earlier.

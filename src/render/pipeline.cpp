@@ -117,12 +117,13 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                      narrowest_in_harmonics(surfaces.geometry, seen_triangles_.update(surfaces), projection));
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
+    const int most_order = scene.distant_light() == nullptr ? kLocalBounceOrder : kBounceOrder;
     LeastLight least;
     if (bounces > 0) {
         least = {.kind = given.components > 1 ? LightKind::linear : LightKind::unpolarized,
                  .channels = scene.channels()};
         if (given.choose_orders || scene.distant_light() == nullptr) {
-            options.order_low = std::max(options.order_low, kBounceOrder);
+            options.order_low = std::max(options.order_low, most_order);
             options.order_high = std::max(options.order_high, options.order_low);
         }
     }
@@ -157,7 +158,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // If bounces alone are polarized, they stay apart: direct light then needs no orders of s1 and s2.
     const bool apart =
         bounces > 0 && pixels_ && follows_rays && (smooth_.any() ? smooth_.mirrors() : !polarized);
-    direct_layout_.emplace(light_.layout().order(),
+    // If bounces stay apart, lamps alone leave no orders to direct light.
+    direct_layout_.emplace(apart && scene.distant_light() == nullptr ? 0 : light_.layout().order(),
                            apart && !polarized ? LightKind::unpolarized : light_.layout().kind());
     TransferInput input{
         surfaces,
@@ -170,6 +172,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         follows_lobes,
         apart,
         bounces,
+        std::min(most_order, options.order_low),
         light_.layout().kind(),
         options.tolerance / kBouncesOfTolerance,
         local_lights_.any() ? &local_lights_ : nullptr,
