@@ -19,8 +19,8 @@ inline constexpr int kBounceOrder = 3;
 /// be shown what it reflects more sharply.
 inline constexpr int kLocalBounceOrder = 5;
 /// Highest order of the distant light that bounces. What surfaces reflect to each other is so smooth that
-/// higher orders hardly matter.
-inline constexpr int kBouncingOrder = 4;
+/// higher orders hardly matter. The 16 columns of unpolarized light fill Lanes.
+inline constexpr int kBouncingOrder = 3;
 
 /// Channels with equal reflectance everywhere, which share a map.
 using ChannelGroups = std::vector<std::vector<std::size_t>>;
