@@ -1701,11 +1701,11 @@ typedef struct nicol_render_options {
      * light that the camera sees directly, 2 adds light that a surface reflects once (direct light), 3 adds
      * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. The
      * factored method computes the light that surfaces reflect to each other at vertices, up to order 3 of
-     * its incident field, and stops at 0.002 of all light; rays from pixels find what mirrors and narrow
-     * lobes of metal reflect. It refuses 1 and the dense method refuses everything but 0 and 2, with
-     * NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and mirrors count as well: the rays of
-     * the factored method have max_depth - 1 reflections and refractions, at most 64, but eight for 0 and 2,
-     * because direct light would not leave a body of glass. */
+     * its incident field (5 without an environment), and stops at 0.002 of all light; rays from pixels find
+     * what mirrors and narrow lobes of metal reflect. It refuses 1 and the dense method refuses everything
+     * but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and mirrors count as
+     * well: the rays of the factored method have max_depth - 1 reflections and refractions, at most 64, but
+     * eight for 0 and 2, because direct light would not leave a body of glass. */
     int32_t max_depth;
     /* Behaviour of nicol_render and nicol_render_views while another render of the scene runs, such as a job.
      * 0, the default: they wait; 1: they return NICOL_ERROR_BUSY. No effect on nicol_render_async. */
