@@ -183,27 +183,11 @@ OrderSelector::Response& OrderSelector::response_of(const MaterialPtr& material,
 void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
                             KeptProjection& projection) {
     project(scene, projected, projection);
-    const WorldGeometry& geometry = surfaces.geometry;
+    shadowing_.run(surfaces.materials, surfaces.versions, [&] { measure_shadows(surfaces); });
     constexpr std::size_t size = kOrder + 1;
-    std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
-    for (std::vector<double>& coupling : couplings) {
-        coupling.resize(size * size);
-        for (std::size_t l = 0; l < size; ++l) coupling[l * size + l] = 1;
-    }
-    double fraction = 1;
-    std::optional<VisibilityHarmonics> harmonics;
-    if (surfaces.visibility != nullptr) {
-        harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
-    }
-
-    const VertexWeights vertices(geometry, surfaces.baked);
-    std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
-    for (const auto& [material, group] : vertices.groups()) {
-        if (harmonics) {
-            const VisibilityPower visible(*harmonics, *surfaces.visibility, geometry.normals, group.sample);
-            fraction = visible.fraction();
-            for (std::size_t k = 0; k < couplings.size(); ++k) couplings[k] = couplings_[k].of(visible);
-        }
+    std::erase_if(responses_, [&](const auto& known) { return !shadowed_.contains(known.first); });
+    for (const auto& [material, shadowed] : shadowed_) {
+        const auto& [weight, fraction, couplings] = shadowed;
         Response& response = response_of(material, projected, scene.channels());
         const auto& [whole, in_orders, power, missed] = response;
         Share& share = shares_.emplace_back(Share{.response = &response, .all = {}, .seen = {}, .left = {}});
@@ -213,17 +197,41 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
             const std::size_t channel = light_.size() == 1 ? 0 : static_cast<std::size_t>(c);
             auto of_light = light_[channel];
             for (std::size_t part = 0; part < parts_of(kind_); ++part) {
-                for (double& energy : of_light[part]) energy *= group.weight;
+                for (double& energy : of_light[part]) energy *= weight;
                 for (std::size_t output = 0; output < kOutputs; ++output)
                     add_part(of_light[part], power.of(c, output, part), couplings[part == 1 ? 1 : 0],
                              fraction, output, share);
-                mean_square_ += group.weight * reflected(all_light_[channel][part], whole.of(c, 0, part),
-                                                         couplings[part == 1 ? 1 : 0]);
+                mean_square_ += weight * reflected(all_light_[channel][part], whole.of(c, 0, part),
+                                                   couplings[part == 1 ? 1 : 0]);
             }
         }
-        values_ += group.weight * scene.channels();
+        values_ += weight * scene.channels();
     }
     forget_terms();
+}
+
+void OrderSelector::measure_shadows(const SurfaceState& surfaces) {
+    const WorldGeometry& geometry = surfaces.geometry;
+    constexpr std::size_t size = kOrder + 1;
+    std::optional<VisibilityHarmonics> harmonics;
+    if (surfaces.visibility != nullptr) harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
+    const VertexWeights vertices(geometry, surfaces.baked);
+    shadowed_.clear();
+    for (const auto& [material, group] : vertices.groups()) {
+        Shadowed& shadowed = shadowed_[material];
+        shadowed.weight = group.weight;
+        if (harmonics) {
+            const VisibilityPower visible(*harmonics, *surfaces.visibility, geometry.normals, group.sample);
+            shadowed.fraction = visible.fraction();
+            for (std::size_t k = 0; k < couplings_.size(); ++k)
+                shadowed.couplings[k] = couplings_[k].of(visible);
+        } else {
+            for (std::vector<double>& coupling : shadowed.couplings) {
+                coupling.assign(size * size, 0);
+                for (std::size_t l = 0; l < size; ++l) coupling[l * size + l] = 1;
+            }
+        }
+    }
 }
 
 void OrderSelector::forget_terms() {

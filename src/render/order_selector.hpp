@@ -90,6 +90,8 @@ private:
                                          std::uint64_t memory_limit);
     void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
                  KeptProjection& projection);
+    // Finds the weights of materials and the effect of shadows on them, which no light changes.
+    void measure_shadows(const SurfaceState& surfaces);
     // Updates the energies of the light, and forgets responses that were computed for another kind of light.
     void project(const Scene& scene, const Projected& projected, KeptProjection& projection);
     [[nodiscard]] Response& response_of(const MaterialPtr& material, const Projected& projected,
@@ -115,6 +117,14 @@ private:
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
     SurfaceVersions measured_;              // versions of the last measuring_
     std::vector<OrderCoupling> couplings_;  // spin 0, spin 2
+    // Weight of a material's vertices, and the effect of shadows on its responses, see VisibilityPower.
+    struct Shadowed {
+        double weight = 0;
+        double fraction = 1;
+        std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
+    };
+    Stage<Version, SurfaceVersions> shadowing_;  // versions of materials and surfaces
+    std::map<MaterialPtr, Shadowed> shadowed_;
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
