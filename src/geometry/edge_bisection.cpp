@@ -112,13 +112,13 @@ void EdgeBisection::close(Edges& edges) const {
 
 std::size_t EdgeBisection::cost(const Edges& edges) const {
     const EdgeEnds ends(edges, place_count_);
-    std::unordered_set<std::uint64_t> pairs;
+    KeyTable<std::uint8_t> pairs;
     for (const glm::uvec3& t : triangles_) {
         if (!ends.on_triangle(places_[t.x], places_[t.y], places_[t.z])) continue;
         for (glm::length_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k];
             const std::uint32_t b = t[(k + 1) % 3];
-            if (edges.contains(edge(a, b))) pairs.insert(pair_key(a, b));
+            if (edges.contains(edge(a, b))) pairs.try_emplace(pair_key(a, b), 1);
         }
     }
     return pairs.size();
@@ -130,12 +130,12 @@ std::uint32_t EdgeBisection::middle(std::uint32_t a, std::uint32_t b) {
     if (is_new) {
         const auto place = middle_places_.try_emplace(edge(a, b), place_count_);
         if (place.second) ++place_count_;
-        places_.push_back(place.first->second);
+        places_.push_back(*place.first);
         // Each term is halved before the sum, which could be out of range.
         positions_.push_back(0.5F * positions_[a] + 0.5F * positions_[b]);
         parents_.emplace_back(a, b);
     }
-    return found->second;
+    return *found;
 }
 
 void EdgeBisection::keep(const glm::uvec3& t, std::uint32_t source, std::span<WantedLength> points) {
@@ -194,8 +194,8 @@ void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points)
             keep(t, sources[i], {first, last});
         first = last;
     }
-    middles_.clear();
-    middle_places_.clear();
+    middles_ = {};
+    middle_places_ = {};
 }
 
 std::vector<TrianglePart> triangle_parts(std::span<const glm::uvec3> given, std::size_t vertices,

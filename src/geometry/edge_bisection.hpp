@@ -8,9 +8,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
+
+#include "geometry/key_table.hpp"
 
 namespace nicol {
 
@@ -78,8 +79,8 @@ private:
     std::vector<std::uint32_t> sources_;
     std::vector<glm::uvec2> parents_;
     // State of split(): middle vertices by pair of vertices, and middle places by edge.
-    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
-    std::unordered_map<Edge, std::uint32_t> middle_places_;
+    KeyTable<std::uint32_t> middles_;
+    KeyTable<std::uint32_t> middle_places_;
 };
 
 /// Position of a part of a triangle in the given triangle that contains the part.

@@ -5,9 +5,9 @@
 #include <bit>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
+#include "geometry/key_table.hpp"
 #include "geometry/position_hash.hpp"
 
 namespace nicol {
@@ -130,16 +130,16 @@ RefinedSurfaces::Change RefinedSurfaces::change_to(const SceneGeometry& surfaces
         for (std::size_t v = run.first; v < run.last; ++v)
             pair(numbered(numbers, v), numbered(numbers_, run.before + (v - run.first)));
     }
-    std::unordered_map<std::size_t, std::uint32_t> added;  // by hash of position and normal
+    KeyTable<std::uint32_t> added;  // by hash of position and normal
     const auto hash = [](const WorldGeometry& geometry, std::uint32_t v) {
         return geometry::hash_of(geometry.positions[v], geometry.normals[v]);
     };
     for (std::size_t i = given_; i < numbers_.size(); ++i)
         added.try_emplace(hash(last, numbers_[i]), numbers_[i]);
     for (std::size_t i = given; i < numbers.size(); ++i) {
-        const auto former = added.find(hash(next, numbers[i]));
-        if (former != added.end() && last.positions[former->second] == next.positions[numbers[i]])
-            pair(numbers[i], former->second);
+        const std::uint32_t* const former = added.find(hash(next, numbers[i]));
+        if (former != nullptr && last.positions[*former] == next.positions[numbers[i]])
+            pair(numbers[i], *former);
     }
     // A vertex in reserve equals the vertex before it.
     const auto equal = [&next](const WorldGeometry& geometry, std::size_t v, std::size_t other) {

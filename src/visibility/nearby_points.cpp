@@ -28,10 +28,10 @@ NearbyPoints::NearbyPoints(const TracedPoints& points) {
 
 std::optional<std::size_t> NearbyPoints::find(const TracedPoints& points, const glm::vec3& origin,
                                               const glm::vec3& normal) const {
-    const auto place = places_.find(key_of(origin, normal));
-    if (place == places_.end() || points.normal(place->second) != normal) return std::nullopt;
-    if (!(glm::distance(points.origin(place->second), origin) <= kRounding * size_)) return std::nullopt;
-    return place->second;
+    const std::uint32_t* const place = places_.find(key_of(origin, normal));
+    if (place == nullptr || points.normal(*place) != normal) return std::nullopt;
+    if (!(glm::distance(points.origin(*place), origin) <= kRounding * size_)) return std::nullopt;
+    return *place;
 }
 
 std::size_t NearbyPoints::key_of(const glm::vec3& origin, const glm::vec3& normal) const {

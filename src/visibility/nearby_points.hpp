@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <unordered_map>
 
+#include "geometry/key_table.hpp"
 #include "visibility/traced_points.hpp"
 
 namespace nicol {
@@ -27,7 +27,7 @@ private:
     [[nodiscard]] std::size_t key_of(const glm::vec3& origin, const glm::vec3& normal) const;
 
     float size_ = 0;  // largest coordinate
-    std::unordered_map<std::size_t, std::uint32_t> places_;
+    KeyTable<std::uint32_t> places_;
 };
 
 }  // namespace nicol

@@ -16,7 +16,7 @@ std::uint32_t PointsInPixels::add(const glm::vec3& position, const glm::vec3& no
     if (!(pixel_ > 0)) return number;
     const std::size_t cell =
         geometry::hash_of(glm::floor(position / pixel_), glm::round(normal / kNormalsOfCell));
-    return first_.try_emplace(cell, number).first->second;
+    return *first_.try_emplace(cell, number).first;
 }
 
 }  // namespace nicol

@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <unordered_map>
+
+#include "geometry/key_table.hpp"
 
 namespace nicol {
 
@@ -22,7 +23,7 @@ public:
 private:
     float pixel_;
     // Numbers by the hash of a cell. Points of different cells with one hash are taken for close ones.
-    std::unordered_map<std::size_t, std::uint32_t> first_;
+    KeyTable<std::uint32_t> first_;
 };
 
 }  // namespace nicol

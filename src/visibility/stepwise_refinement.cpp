@@ -9,10 +9,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <unordered_map>
 #include <utility>
 
 #include "geometry/edge_bisection.hpp"
+#include "geometry/key_table.hpp"
 #include "geometry/largest_coordinate.hpp"
 #include "geometry/ray_scene.hpp"
 #include "geometry/unit.hpp"
@@ -56,10 +56,10 @@ public:
           normals_(geometry.normals.begin(), geometry.normals.end()),
           in_pixels_(geometry.every_ray ? 0 : options.shortest_edge) {
         std::vector<glm::vec3> units(normals_.size());
-        hidden_.resize(normals_.size());
+        hidden_.resize(normals_.size(), glm::vec4(0));
         tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t v) {
             units[v] = unit(normals_[v]);
-            hidden_[v] = tracer_.light().at(baked_, v, units[v]);
+            if (geometry_.needs(v)) hidden_[v] = tracer_.light().at(baked_, v, units[v]);
         });
         shifts_ = bake_origins(geometry, units);
         rows_.reserve(shifts_.size());
@@ -252,7 +252,7 @@ private:
     }
 
     [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
-        return middles_.at(pair_key(a, b));
+        return *middles_.find(pair_key(a, b));
     }
 
     // Finds the pairs of vertices between which interpolation may err by more than the tolerance. If the
@@ -317,35 +317,36 @@ private:
     }
 
     void find_wanted_lengths() {
-        std::vector<std::uint32_t> occluded_vertices;
+        std::vector<std::uint32_t> some;
         for (std::uint32_t v = 0; v < baked_.vertices(); ++v)
-            if (occluded(v)) occluded_vertices.push_back(v);
-        wanted_ =
-            blocked_lengths(geometry_, directions_, baked_, tracer_.scene(), occluded_vertices, shifts_);
+            if (geometry_.needs(v) ? occluded(v) : !baked_.unoccluded(v)) some.push_back(v);
+        wanted_ = blocked_lengths(geometry_, directions_, baked_, tracer_.scene(), some, shifts_);
         rays_ += wanted_.size();
     }
 
     // Returns the longest edges of triangles that are larger than wanted.
     [[nodiscard]] std::vector<Wrong> long_edges() const {
-        std::unordered_map<EdgeBisection::Edge, double> longest;
-        // Most points follow one of their triangle, because they are sorted once an edge has been split.
-        std::uint32_t last = kNoVertex;
-        double here = 0, shortest_here = 0;
-        for (const WantedLength& wanted : wanted_) {
-            const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
+        KeyTable<double> longest;
+        // Points of a triangle follow each other once an edge has been split. The shortest length decides.
+        for (auto first = wanted_.begin(); first != wanted_.end();) {
+            const std::uint32_t triangle = first->triangle;
+            float wanted = first->length;
+            for (; first != wanted_.end() && first->triangle == triangle; ++first)
+                wanted = std::min(wanted, first->length);
+            const glm::uvec3& t = mesh_.triangles()[triangle];
             if (!wants(t.x) || !wants(t.y) || !wants(t.z)) continue;
-            if (std::exchange(last, wanted.triangle) != wanted.triangle) {
-                here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
-                shortest_here = std::max({shortest(t.x, t.y), shortest(t.y, t.z), shortest(t.z, t.x)});
-            }
-            const double least = std::max(static_cast<double>(wanted.length), shortest_here);
+            const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
+            const double least = std::max(
+                {static_cast<double>(wanted), shortest(t.x, t.y), shortest(t.y, t.z), shortest(t.z, t.x)});
             if (!(here > least)) continue;
-            double& weight = longest[mesh_.longest(t)];
+            double& weight = *longest.try_emplace(mesh_.longest(t), 0).first;
             weight = std::max(weight, here * here * here / least);
         }
         std::vector<Wrong> wrong;
         wrong.reserve(longest.size());
-        for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
+        longest.for_each([&](EdgeBisection::Edge edge, double weight) {
+            wrong.push_back({.weight = weight, .edge = edge});
+        });
         return wrong;
     }
 
@@ -370,8 +371,8 @@ private:
     std::vector<std::size_t> rows_;   // by vertex: rows of hidden_
     // HiddenLight of all given vertices, then of points_.
     std::vector<glm::vec4> hidden_;
-    TracedPoints points_;  // middles of edges, whether these are split or not
-    std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
+    TracedPoints points_;            // middles of edges, whether these are split or not
+    KeyTable<std::size_t> middles_;  // row of a pair's middle
     std::atomic<std::uint64_t> rays_ = 0;
     std::atomic<std::uint64_t> skipped_ = 0;
     std::atomic<std::uint64_t> traced_ = 0;  // points that any ray was traced from

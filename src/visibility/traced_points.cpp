@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/traced_points.hpp"
 
-#include <utility>
-
 #include "geometry/position_hash.hpp"
 
 namespace nicol {
@@ -30,10 +28,9 @@ void TracedPoints::add(std::span<const glm::vec3> origins, std::span<const glm::
 }
 
 std::optional<std::size_t> TracedPoints::find(const glm::vec3& origin, const glm::vec3& normal) const {
-    const auto place = places_.find(geometry::hash_of(origin, normal));
-    if (place == places_.end() || origins_[place->second] != origin || normals_[place->second] != normal)
-        return std::nullopt;
-    return place->second;
+    const std::uint32_t* const place = places_.find(geometry::hash_of(origin, normal));
+    if (place == nullptr || origins_[*place] != origin || normals_[*place] != normal) return std::nullopt;
+    return *place;
 }
 
 Visibility TracedPoints::appended_to(const Visibility& given, std::span<const std::size_t> rows) const {
@@ -50,7 +47,7 @@ Visibility TracedPoints::appended_to(const Visibility& given, std::span<const st
 
 std::size_t TracedPoints::bytes() const noexcept {
     return size() * (2 * sizeof(glm::vec3) + words_ * sizeof(std::uint64_t) + 1 + sizeof(glm::vec4)) +
-           places_.size() * sizeof(std::pair<std::size_t, std::uint32_t>);
+           places_.bytes();
 }
 
 }  // namespace nicol

@@ -8,9 +8,9 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "geometry/key_table.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -47,7 +47,7 @@ private:
     std::vector<std::uint64_t> bits_;
     std::vector<std::uint8_t> unoccluded_;
     std::vector<glm::vec4> hidden_;
-    std::unordered_map<std::size_t, std::uint32_t> places_;  // by hash of origin and normal
+    KeyTable<std::uint32_t> places_;  // by hash of origin and normal
 };
 
 }  // namespace nicol
