@@ -102,8 +102,9 @@ public:
         const double to_world[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
         check(nicol_scene_set_environment(scene(), light_.get(), to_world, 1));
     }
-    void orbit() {
-        angle_ += 0.01;
+    /// Moves the camera around the scene by an angle in radians.
+    void orbit(double angle = 0.01) {
+        angle_ += angle;
         look();
     }
 

@@ -27,12 +27,23 @@ constexpr std::size_t kGrownViews = 16;
 }  // namespace
 
 Visibility SceneVisibility::with_more(BakeGeometry geometry, const SceneGeometry& surfaces,
-                                      std::span<const std::uint8_t> more, const BakeProgress& report,
+                                      std::span<const std::uint8_t> more,
+                                      std::span<const std::uint8_t> outdated, const BakeProgress& report,
                                       BakeStatistics& baked) const {
     std::vector<std::uint8_t> room;
     geometry.needed = traced_of(surfaces.geometry(), more, room);
     geometry.needed_alone = room.empty();  // others than receivers count as unoccluded
-    Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
+    std::vector<Known> known;
+    known.reserve(outdated.size());
+    for (const std::uint8_t state : outdated) known.push_back(state != 0 ? Known::earlier : Known::nothing);
+    const VertexRun all{.first = 0, .last = more.size(), .before = 0};
+    const FormerBake former{.visibility = **baked_,
+                            .kept = {&all, 1},
+                            .disturbances = {},
+                            .known = known,
+                            .earlier = since_outdated_.disturbances()};
+    Visibility visibility =
+        nicol::bake(geometry, *directions_, report, &baked, any(outdated) ? &former : nullptr);
     for (std::size_t v = 0; v < more.size(); ++v)
         if (more[v] == 0) visibility.take(v, **baked_, v);
     return visibility;
@@ -43,23 +54,50 @@ Visibility SceneVisibility::bake_rest(const BakeGeometry& geometry, const SceneG
     std::vector<std::uint8_t> rest;
     rest.reserve(needed_.size());
     for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
-    return with_more(geometry, surfaces, rest, report, baked);
+    return with_more(geometry, surfaces, rest, outdated(false), report, baked);
 }
 
 void SceneVisibility::bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel,
-                                   const RenderOptions& options, const BakeProgress& report,
+                                   bool shared, const RenderOptions& options, const BakeProgress& report,
                                    std::vector<std::uint8_t>& missing, BakeStatistics& baked) {
     BakeGeometry geometry = geometry_of(surfaces, rays, {}, options);
+    const std::vector<std::uint8_t> before = outdated(shared);
+    std::vector<std::uint8_t> fresh = missing;
+    for (std::size_t v = 0; v < before.size(); ++v)
+        if (before[v] != 0) fresh[v] = 0;
     std::vector<std::uint32_t> like;
     if (pixel > 0 && !geometry.every_ray)
-        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing, pixel);
-    auto all = std::make_shared<const Visibility>(with_more(geometry, surfaces, missing, report, baked));
+        geometry.like = like = vertices_in_pixels(surfaces.geometry(), fresh, pixel);
+    auto all =
+        std::make_shared<const Visibility>(with_more(geometry, surfaces, missing, before, report, baked));
     const bool has_points = points_bake_ == baked_.version();
     baked_.change() = std::move(all);
     if (has_points) points_bake_ = baked_.version();
-    missing = baked_vertices(std::move(missing), like);
-    for (std::size_t v = 0; v < missing.size(); ++v)
-        if (missing[v] != 0) needed_[v] = missing[v];
+    fresh = baked_vertices(std::move(fresh), like);
+    for (std::size_t v = 0; v < missing.size(); ++v) {
+        if (missing[v] == 0) continue;
+        needed_[v] = missing[v] = fresh[v] != 0 ? fresh[v] : before[v];
+        if (!outdated_.empty()) outdated_[v] = 0;
+    }
+}
+
+bool SceneVisibility::shares(double edge) const {
+    return edge >= kSharedPixel * traced_edge_;
+}
+
+void SceneVisibility::come_nearer(double edge) {
+    if (edge < (1 - kNearer) * shortest_edge_) shortest_edge_ = edge;
+    if (shares(edge)) return;
+    traced_edge_ = edge;
+    points_ = {};
+    points_bake_ = 0;
+}
+
+void SceneVisibility::refine_all() {
+    shortest_edge_ = traced_edge_ = 0;
+    wanted_.clear();
+    points_ = {};
+    points_bake_ = 0;
 }
 
 bool SceneVisibility::is_enough(const NeededVertices& needed) const {
@@ -80,29 +118,23 @@ void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, con
                            Statistics& statistics) {
     const Stopwatch watch;
     const double edge = kPixelsOfEdge * needed.pixel;
-    // Vertices and points that took what others in a wider pixel see are traced by rays of their own.
-    const bool retraced = edge < kSharedPixel * traced_edge_;
+    const bool shared = shares(edge);
     std::vector<std::uint8_t> missing(needed_.size(), 0);
     for (std::size_t v = 0; v < missing.size(); ++v) {
         const bool shown = needed.flags.empty() || needed.flags[v] != 0;
-        missing[v] = needed_[v] == 0 ? shown : retraced && needed_[v] != kTraced;
+        missing[v] = needed_[v] == 0 ? shown : !shared && needed_[v] != kTraced;
     }
     BakeStatistics baked;
     if (any(missing)) {
         const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
         workers.run([&] {
             bake_missing(
-                surfaces, rays, needed.pixel, options,
+                surfaces, rays, traced_edge_ > 0 ? needed.pixel : 0, shared, options,
                 [&](double fraction) { progress.report("bake", share * fraction); }, missing, baked);
         });
     }
     for (std::size_t v = 0; v < wanted_.size(); ++v) wanted_[v] |= needed.seen[v];
-    if (edge < (1 - kNearer) * shortest_edge_) shortest_edge_ = edge;
-    if (retraced) {
-        traced_edge_ = edge;
-        points_ = {};
-        points_bake_ = 0;
-    }
+    come_nearer(edge);
     carried_ = 0;
     refining_.reset();
     count_bake(baked, watch, statistics);
@@ -145,8 +177,8 @@ void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& ray
     BakeStatistics baked;
     run.workers.run([&] {
         bake_missing(
-            surfaces, rays, 0, options, [&run](double fraction) { run.progress.report("bake", fraction); },
-            missing, baked);
+            surfaces, rays, 0, false, options,
+            [&run](double fraction) { run.progress.report("bake", fraction); }, missing, baked);
         auto visible = std::make_shared<Visibility>(**visible_);
         for (const std::uint32_t v : changed) {
             visible->take(v, **baked_, numbers_.source(v));

@@ -53,7 +53,8 @@ double pixel_at_nearest(const WorldGeometry& geometry, const Projection& project
 
 // Returns the vertices that an image needs, but not the sample of the others.
 NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projection,
-                         std::span<const glm::dvec2> samples, SurfaceRays& rays) {
+                         std::span<const glm::dvec2> samples, SurfaceRays& rays,
+                         std::span<const std::uint8_t> known) {
     Projection wide = projection;
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
@@ -62,8 +63,10 @@ NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projec
     for (const VertexRange& range : geometry.ranges)
         if (!reflects(*range.material)) std::fill(at(range.first), at(range.last), std::uint8_t{0});
     const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
-    const auto seen = static_cast<double>(std::ranges::count(needed, 1));
-    if (seen == 0) return {.flags = needed, .seen = needed};
+    if (!any(needed)) return {.flags = needed, .seen = needed};
+    double seen = 0;  // number of vertices that rays may spare
+    for (std::size_t v = 0; v < needed.size(); ++v)
+        seen += needed[v] != 0 && (known.empty() || known[v] == 0) ? 1 : 0;
     const double of_samples = kVerticesOfSample * static_cast<double>(samples.size());
     // Masks let some samples pass, as drawing decides.
     const bool sampled = !samples.empty() && !has_masks(geometry) && seen > of_samples * pixels;
@@ -79,14 +82,16 @@ void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& 
     for (std::size_t v = 0; v < sum.size(); ++v) sum[v] |= flags[v];
 }
 
-// Adds a sample of each instance: blocks of kLanes vertices, which later steps compute together.
-void add_sample(const WorldGeometry& geometry, std::vector<std::uint8_t>& flags) {
+// Adds a sample of each instance: blocks of kLanes vertices, which later steps compute together. Known
+// vertices are in it as they are.
+void add_sample(const WorldGeometry& geometry, std::span<const std::uint8_t> known,
+                std::vector<std::uint8_t>& flags) {
     for (const VertexRange& range : geometry.ranges) {
         const std::size_t count = range.last - range.first;
         const std::size_t step = kLanes * std::max<std::size_t>(1, count / kSampledVertices);
         for (std::size_t first = range.first; first < range.last; first += step)
             for (std::size_t v = first / kLanes * kLanes; v < first / kLanes * kLanes + kLanes; ++v)
-                if (v >= range.first && v < range.last) flags[v] = 1;
+                if (v >= range.first && v < range.last && (known.empty() || known[v] == 0)) flags[v] = 1;
     }
 }
 
@@ -108,17 +113,18 @@ bool reflects(const Material& material) {
 }
 
 NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
-                               std::span<const glm::dvec2> samples, SurfaceRays& rays) {
-    NeededVertices all = needed_by(geometry, views.front(), samples, rays);
+                               std::span<const glm::dvec2> samples, SurfaceRays& rays,
+                               std::span<const std::uint8_t> known) {
+    NeededVertices all = needed_by(geometry, views.front(), samples, rays, known);
     for (const Projection& view : views.subspan(1)) {
-        const NeededVertices more = needed_by(geometry, view, samples, rays);
+        const NeededVertices more = needed_by(geometry, view, samples, rays, known);
         all.sampled = all.sampled || more.sampled;
         add_flags(all.flags, more.flags);
         add_flags(all.seen, more.seen);
         if (more.pixel > 0 && (all.pixel == 0 || more.pixel < all.pixel)) all.pixel = more.pixel;
     }
     if (all.pixel == 0) return all;  // nothing is seen
-    add_sample(geometry, all.flags);
+    add_sample(geometry, known, all.flags);
     if (static_cast<std::size_t>(std::ranges::count(all.flags, 0)) < kLeastSpared) all.flags.clear();
     return all;
 }

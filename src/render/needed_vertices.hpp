@@ -36,9 +36,12 @@ enum class ImageNeeds : std::uint8_t {
 /// refined. All flags are 0 if no triangle is seen that reflects light. `flags` is empty if so few vertices
 /// can be spared that all are needed. rays: of the geometry, which rays from pixels use if they spare more
 /// than they cost. The sample does not depend on the views. samples: offsets from the centre of each pixel of
-/// all samples at which the images show surfaces; empty: not known. Runs on the calling thread's TBB arena.
+/// all samples at which the images show surfaces; empty: not known. known: not 0 for each vertex that costs
+/// little to bake, because it was baked before some change; empty: for none. The sample leaves these out.
+/// Runs on the calling thread's TBB arena.
 [[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
-                                             std::span<const glm::dvec2> samples, SurfaceRays& rays);
+                                             std::span<const glm::dvec2> samples, SurfaceRays& rays,
+                                             std::span<const std::uint8_t> known = {});
 
 /// Returns, for each needed vertex, the first one in the same pixel that faces about the same way, or
 /// kNoVertex if that is the vertex itself; kNoVertex for the others. Empty if few vertices have another one.

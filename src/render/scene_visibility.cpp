@@ -9,6 +9,7 @@
 
 #include "render/bake_inputs.hpp"
 #include "render/baked_vertices.hpp"
+#include "render/carried_states.hpp"
 #include "render/needed_vertices.hpp"
 #include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
@@ -21,10 +22,12 @@ namespace {
 // before the change of a scene and keep its light.
 constexpr double kUnshown = 1.0 / 16;
 
-// Returns whether vertices are traced anew that a change hides no other light from. What bounces to a vertex
-// changes with what hides the light from it, not only with how much does.
-bool traces_all(const RenderOptions& options) {
-    return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
+// Returns the number of unoccluded vertices among those that were baked. Empty: all were.
+std::size_t unoccluded_count(const Visibility& visibility, std::span<const std::uint8_t> baked) {
+    std::size_t count = visibility.unoccluded_count();
+    for (std::size_t v = 0; v < baked.size(); ++v)
+        if (baked[v] == 0 && visibility.unoccluded(v)) --count;
+    return count;
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistic
         statistics.visibility_bytes = progressive_->bytes();
     } else if (uses_bake_) {
         statistics.vertices_unbaked = static_cast<std::uint64_t>(std::ranges::count(needed_, 0));
-        statistics.vertices_unoccluded = (*visible_)->unoccluded_count() - statistics.vertices_unbaked;
+        statistics.vertices_unoccluded = unoccluded_count(**visible_, baked_vertices_);
         statistics.visibility_bytes = (*visible_)->bytes() + points_.bytes();
         if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
         if (shown_.get() != visible_->get()) statistics.visibility_bytes += shown_.get()->bytes();
@@ -165,6 +168,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     shown_.show(nullptr);
     baked_geometry_ = 0;
     needed_.clear();
+    outdated_.clear();
     wanted_.clear();
     shortest_edge_ = 0;
     baked_vertices_.clear();
@@ -240,23 +244,28 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
     const SceneGeometry::Change& change = surfaces.change();
-    const bool is_part = any(needed_);
+    const bool is_part = any(needed_) || any(outdated_);
     const bool same = baking_.is_current(surfaces.version(), count, axes);
-    const bool follows = baking_.is_current(change.before, count, axes);
-    const bool carry = !change.kept.empty() && needed_.empty() && follows;
+    const bool carry = !change.kept.empty() && (needed_.empty() || is_part) &&
+                       baking_.is_current(change.before, count, axes);
     NeededVertices needed;
-    // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
     const bool part_is_current = same && (!needed_.empty() || shortest_edge_ > 0);
     bool searched = false;  // whether this is another view
-    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && (!same || part_is_current)) {
+    if (needs != ImageNeeds::all && (!same || part_is_current)) {
         searched = !found_for(images);
         if (searched) {
             seeing_.reset();
             if (part_is_current) ++views_since_;
         }
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
-            workers.run(
-                [&] { seen_ = needed_vertices(surfaces.geometry(), images.views, images.samples, rays); });
+            const std::size_t vertices = surfaces.geometry().positions.size();
+            const std::vector<std::uint8_t> known = carry
+                                                        ? carried_states(change, needed_, outdated_, vertices)
+                                                    : same ? outdated_
+                                                           : std::vector<std::uint8_t>();
+            workers.run([&] {
+                seen_ = needed_vertices(surfaces.geometry(), images.views, images.samples, rays, known);
+            });
             seen_from_.assign(images.views.begin(), images.views.end());
             seen_at_.assign(images.samples.begin(), images.samples.end());
         });
@@ -275,14 +284,10 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         rest = is_part;
         if (!needed_.empty()) baking_.reset();
     }
-    if (shortest_edge_ > 0 && (carry || rest || needed_.empty())) {
-        shortest_edge_ = 0;
-        wanted_.clear();
-        points_ = {};
-        points_bake_ = 0;
-    }
+    if (shortest_edge_ > 0 && !carry && (rest || needed_.empty())) refine_all();
     const bool ran = baking_.run(surfaces.version(), count, axes, [&] {
         const Stopwatch watch;
+        const bool has_points = rest && points_bake_ == baked_.version();
         carried_ = carry || rest ? baked_.version() : 0;
         baked_geometry_ = 0;
         find_directions(surfaces, options);
@@ -294,27 +299,27 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             std::vector<std::uint8_t> room;
             BakeGeometry geometry =
                 geometry_of(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
-            if (needed.pixel > 0 && !rest && !geometry.every_ray)
-                geometry.like = like = vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
             Visibility visibility;
             if (carry) {
-                const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
-                const FormerBake former{.visibility = **baked_,
-                                        .kept = change.kept,
-                                        .disturbances = {change.added, change.removed},
-                                        .shifted = shifted};
-                visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
+                visibility = bake_carried(geometry, surfaces, needed, options, report, baked);
             } else if (rest) {
                 visibility = bake_rest(geometry, surfaces, report, baked);
                 needed = {};
             } else {
+                if (needed.pixel > 0 && !geometry.every_ray)
+                    geometry.like = like =
+                        vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
             }
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
-        needed_ = baked_vertices(std::move(needed.flags), like);
-        wanted_ = std::move(needed.seen);
-        traced_edge_ = shortest_edge_ = kPixelsOfEdge * needed.pixel;
+        if (has_points) points_bake_ = baked_.version();
+        if (!carry) {
+            outdated_.clear();
+            needed_ = baked_vertices(std::move(needed.flags), like);
+            wanted_ = std::move(needed.seen);
+            traced_edge_ = shortest_edge_ = kPixelsOfEdge * needed.pixel;
+        }
         views_since_ = 0;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);

@@ -26,6 +26,7 @@
 #include "surfaces/surface_rays.hpp"
 #include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
+#include "visibility/disturbance_record.hpp"
 #include "visibility/refine.hpp"
 #include "visibility/visibility.hpp"
 
@@ -90,10 +91,26 @@ private:
     void grow(const SceneGeometry& surfaces, SurfaceRays& rays, const NeededVertices& needed,
               const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
     /// Bakes some vertices, and adds them to the bake. `missing` holds their states then, see
-    /// baked_vertices(). pixel: see vertices_in_pixels(); 0: none shares what it sees.
-    void bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel,
+    /// baked_vertices(). pixel: see vertices_in_pixels(); 0: none shares what it sees. shared: whether
+    /// vertices that were baked as others in the same pixel before they became outdated remain so.
+    void bake_missing(const SceneGeometry& surfaces, SurfaceRays& rays, double pixel, bool shared,
                       const RenderOptions& options, const BakeProgress& report,
                       std::vector<std::uint8_t>& missing, BakeStatistics& baked);
+    /// Returns the state in needed_ that vertices which have become outdated have once they are baked again.
+    /// Empty: none are outdated. shared: as for bake_missing().
+    [[nodiscard]] std::vector<std::uint8_t> outdated(bool shared) const;
+    /// Returns whether vertices and points that took what others in their pixel see keep it in images that
+    /// need edges of this length.
+    [[nodiscard]] bool shares(double edge) const;
+    /// Takes over that images need edges of this length.
+    void come_nearer(double edge);
+    /// Has all triangles refined, however small edges are in images.
+    void refine_all();
+    /// Bakes surfaces that a change has left in part, from the former bake: the vertices that images need.
+    /// The others become outdated. needed: of the surfaces; its flags are used up.
+    [[nodiscard]] Visibility bake_carried(BakeGeometry geometry, const SceneGeometry& surfaces,
+                                          NeededVertices& needed, const RenderOptions& options,
+                                          const BakeProgress& report, BakeStatistics& baked);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
     bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
               const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
@@ -102,8 +119,10 @@ private:
                                            std::span<const std::uint8_t> needed,
                                            const RenderOptions& options);
     /// Bakes the vertices of `more`, and returns their visibility with that of the others in baked_.
+    /// outdated: of outdated().
     [[nodiscard]] Visibility with_more(BakeGeometry geometry, const SceneGeometry& surfaces,
-                                       std::span<const std::uint8_t> more, const BakeProgress& report,
+                                       std::span<const std::uint8_t> more,
+                                       std::span<const std::uint8_t> outdated, const BakeProgress& report,
                                        BakeStatistics& baked) const;
     /// Bakes the vertices that the bake of a part has left out.
     [[nodiscard]] Visibility bake_rest(const BakeGeometry& geometry, const SceneGeometry& surfaces,
@@ -140,6 +159,10 @@ private:
     // 0: not baked; 1: baked as the vertex in the same pixel; kTraced: baked by rays of its own; by vertex of
     // baked_. Empty: all are kTraced. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
+    // State in needed_, by vertex of baked_, before changes of the scene that the vertex has not followed
+    // because no image needs it; 0: none. needed_ is 0 for such vertices. Empty: there are none.
+    std::vector<std::uint8_t> outdated_;
+    DisturbanceRecord since_outdated_;  // disturbances since the first of these changes
     double shortest_edge_ = 0;          // RefineOptions::shortest_edge of the bake of a part; 0: of all
     double traced_edge_ = 0;            // shortest_edge_ when its points were traced
     std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of the bake of a part

@@ -62,16 +62,20 @@ public:
     KnownRays(const FormerBake& former, const DirectionSet& directions, std::size_t vertices)
         : former_(former), places_(vertices, kNone), disturbed_of_(vertices, 0) {
         disturbed_.emplace_back(directions, former.disturbances);
-        for (const VertexRun& run : former.kept) add(run);
+        for (const VertexRun& run : former.kept) add(run, Known::former);
         for (const ShiftedObject& shifted : former.shifted) {
             disturbed_.emplace_back(directions, shifted.others);
-            add(shifted.vertices);
+            add(shifted.vertices, Known::former);
         }
+        if (std::ranges::find(former.known, Known::earlier) == former.known.end()) return;
+        disturbed_.emplace_back(directions, former.earlier);
+        for (const VertexRun& run : former.kept) add(run, Known::earlier);
     }
 
     [[nodiscard]] bool knows(std::size_t v) const { return places_[v] != kNone; }
-    [[nodiscard]] std::size_t known() const {
-        return places_.size() - static_cast<std::size_t>(std::ranges::count(places_, kNone));
+    /// Gives a known vertex its former bits.
+    void keep(std::size_t v, Visibility& visibility) const {
+        visibility.take(v, former_.visibility, places_[v]);
     }
     /// Returns the former bits of a known vertex. bundles: room for its disturbed rays. `disturbed` of the
     /// result is null if there are none.
@@ -84,15 +88,17 @@ public:
     }
 
 private:
-    // Adds a run whose rays disturbed_.back() finds.
-    void add(const VertexRun& run) {
+    // Adds the vertices of a run in this state, whose rays disturbed_.back() finds.
+    void add(const VertexRun& run, Known state) {
         const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
         if (run.first > run.last || run.last > places_.size() || there > former_.visibility.vertices()) {
             refuse("vertices " + std::to_string(run.first) + " to " + std::to_string(run.last) +
                    " are not all in both bakes");
         }
         for (std::size_t v = run.first; v < run.last; ++v) {
-            places_[v] = run.before + (v - run.first);
+            const std::size_t before = run.before + (v - run.first);
+            if ((former_.known.empty() ? Known::former : former_.known[before]) != state) continue;
+            places_[v] = before;
             disturbed_of_[v] = static_cast<std::uint32_t>(disturbed_.size() - 1);
         }
     }
@@ -103,11 +109,12 @@ private:
     std::vector<std::uint32_t> disturbed_of_;
 };
 
-// Returns whether few of the vertices are needed.
-bool few_needed(const BakeGeometry& geometry, std::size_t vertices) {
+// Returns whether few of the vertices are needed and not known. known: null if no rays are known.
+bool few_needed(const BakeGeometry& geometry, std::size_t vertices, const KnownRays* known) {
     std::size_t count = 0;
-    for (std::size_t v = 0; v < vertices; ++v) count += geometry.needs(v) ? 1 : 0;
-    return kFewNeeded * count < vertices;
+    for (std::size_t v = 0; v < vertices; ++v)
+        count += geometry.needs(v) && (known == nullptr || !known->knows(v)) ? 1 : 0;
+    return (known == nullptr ? kFewNeeded : kFew) * count < vertices;
 }
 
 }  // namespace
@@ -143,8 +150,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::optional<KnownRays> known_rays;
     if (former != nullptr) known_rays.emplace(*former, directions, vertices);
-    const bool few =
-        known_rays ? kFew * (vertices - known_rays->known()) < vertices : few_needed(geometry, vertices);
+    const bool few = few_needed(geometry, vertices, known_rays ? &*known_rays : nullptr);
     const bool spare = !geometry.every_ray && !few;
     const std::shared_ptr<const PossibleBlockers> possible =
         possible_blockers_of(geometry, directions, spare);
@@ -166,8 +172,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         if (known_rays && known_rays->knows(v)) {
             const FormerBits known = known_rays->of(v, origins[v], normals[v], scratch.bundles);
             if (known.disturbed == nullptr) {
-                std::ranges::copy(known.bits, visibility.at(v).begin());
-                visibility.set_unoccluded(v, known.unoccluded);
+                known_rays->keep(v, visibility);
                 return {};
             }
             blockers.flat().find(origins[v], normals[v], scratch.faces);
@@ -185,7 +190,11 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     };
     if (!geometry.needed_alone)
         tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
-            if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);
+            if (geometry.needs(v)) return;
+            if (known_rays && known_rays->knows(v))
+                known_rays->keep(v, visibility);
+            else
+                set_open(directions, normals[v], v, visibility);
         });
     std::size_t done = 0;
     const std::size_t chunk = 2 * kRaysAtATime / directions.size();

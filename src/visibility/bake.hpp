@@ -33,8 +33,8 @@ struct BakeGeometry {
     /// The triangles' PossibleBlockers for the same directions, asked for where rays are spared; empty:
     /// bake() and refine() build their own.
     std::function<std::shared_ptr<const PossibleBlockers>()> possible_blockers = {};
-    /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
-    /// and triangles at them are not refined. Empty: all vertices.
+    /// 1 for each vertex whose visibility is needed. Other vertices are not traced, and triangles at them are
+    /// not refined. They count as unoccluded, or keep the bits of a former bake. Empty: all vertices.
     std::span<const std::uint8_t> needed = {};
     bool needed_alone = false;  ///< whether bake() leaves the bits of other vertices at 0
     /// For each vertex, a needed one in the same pixel of an image that faces about the same way, whose
@@ -80,6 +80,13 @@ struct ShiftedObject {
     Disturbances others;
 };
 
+/// Scene that the bits of a vertex of an earlier bake belong to.
+enum class Known : std::uint8_t {
+    nothing,  ///< no scene: the vertex was not baked
+    former,   ///< the scene of that bake
+    earlier   ///< a scene before it; the bits of shifted objects count as not baked then
+};
+
 /// Result of an earlier bake in the same directions, and the surfaces that were added, removed or moved
 /// since.
 struct FormerBake {
@@ -87,6 +94,9 @@ struct FormerBake {
     std::span<const VertexRun> kept;  ///< runs of vertices that have not moved
     Disturbances disturbances;
     std::span<const ShiftedObject> shifted = {};
+    /// State of each vertex of `visibility`. Empty: all are known.
+    std::span<const Known> known = {};
+    Disturbances earlier = {};  ///< disturbances since the state that Known::earlier belongs to
 };
 
 /// Receives the fraction done, 0 to 1, on the calling thread, several times a second. An exception that it

@@ -241,6 +241,52 @@ TEST_CASE("a shifted object is traced only towards other objects, and sees what 
     CHECK(kept.rays < 2 * anew.rays / 3);
 }
 
+TEST_CASE("vertices that have not followed a change follow it with the next one") {
+    const Mesh floor = placed(make_rectangle(16), 4, {0, 0, 0});
+    const std::size_t given = floor.positions.size();
+    std::vector<Mesh> scenes;
+    std::vector<Ball> balls;
+    for (const double x : {-2.0, 0.5, 1.5}) {
+        const Mesh cube = placed(make_cube(2), 0.5, {x, 0.3, 1});
+        balls.push_back(ball_around(cube.positions));
+        append(scenes.emplace_back(floor), cube);
+    }
+    const DirectionSet directions(512);
+    const Visibility earlier = bake(geometry_of(scenes[0]), directions),
+                     former = bake(geometry_of(scenes[1]), directions),
+                     truth = bake(geometry_of(scenes[2]), directions);
+    Visibility mixed = former;
+    std::vector<Known> known(mixed.vertices(), Known::former);
+    for (std::size_t v = 0; v < given; ++v) {
+        if (v % 3 == 0) mixed.take(v, earlier, v);
+        if (v % 3 != 0) continue;
+        known[v] = v % 6 == 0 ? Known::earlier : Known::nothing;
+    }
+    const VertexRun kept{.first = 0, .last = given, .before = 0};
+    const FormerBake before{.visibility = mixed,
+                            .kept = {&kept, 1},
+                            .disturbances = {std::span(balls).subspan(2), std::span(balls).subspan(1, 1)},
+                            .known = known,
+                            .earlier = {std::span(balls).subspan(1), std::span(balls).first(2)}};
+    BakeGeometry geometry = geometry_of(scenes[2]);
+    BakeStatistics some;
+    const Visibility all = bake(geometry, directions, {}, &some, &before);
+    CHECK(std::ranges::equal(all.bits(), truth.bits()));
+    CHECK(std::ranges::equal(all.unoccluded(), truth.unoccluded()));
+    CHECK(some.rays + some.rays_skipped < given * directions.size() / 2);
+
+    const std::vector<std::uint8_t> none(truth.vertices(), 0);
+    geometry.needed = none;
+    const Visibility idle = bake(geometry, directions, {}, &some, &before);
+    CHECK(some.rays == 0);
+    for (std::size_t v = 0; v < given; ++v) {
+        if (known[v] == Known::nothing)
+            CHECK(idle.unoccluded(v));
+        else
+            CHECK(std::ranges::equal(idle.at(v), mixed.at(v)));
+    }
+}
+
 TEST_CASE("the result does not depend on the number of threads or the length of normals") {
     Mesh scene = make_sphere({0, 0, 1.5}, 1);
     append(scene, placed(make_rectangle(16), 3, glm::dvec3(0)));
