@@ -79,10 +79,9 @@ Report bench_glass(const Options& given) {
                           .second = traced(stage, framebuffer.get(), samples, 2),
                           .mask = Mask(std::size_t{size} * size, 1)};
         Recipe recipe = default_recipe();
-        nicol_render_options sampled = recipe.options();
-        sampled.pixel_samples = 8;
-        stage.render(sampled, framebuffer.get());
+        stage.render(recipe.options(), framebuffer.get());
         const StokesErrors errors = truth.errors(read_image(framebuffer.get()));
+        recipe.samples = 1;
         std::vector<Contestant> contestant;
         contestant.emplace_back(source, recipe, frame_size);
         const double frame = time_frames(contestant, given.seconds).front().camera;
