@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <numeric>
@@ -24,7 +25,8 @@ struct BodyBox {
         upper = glm::max(upper, point);
     }
     [[nodiscard]] bool meets(const BodyBox& other) const {
-        return glm::all(glm::lessThan(lower, other.upper)) && glm::all(glm::lessThan(other.lower, upper));
+        return glm::all(glm::lessThanEqual(lower, other.upper)) &&
+               glm::all(glm::lessThanEqual(other.lower, upper));
     }
 };
 
@@ -42,6 +44,13 @@ std::span<const glm::uvec3> of_batch(const WorldGeometry& geometry, const Triang
     return std::span(geometry.triangles).subspan(batch.first, batch.last - batch.first);
 }
 
+// No ray meets a triangle without an area.
+bool has_area(const WorldGeometry& geometry, const glm::uvec3& of) {
+    const glm::dvec3 first(geometry.positions[of.x]);
+    const glm::dvec3 second(geometry.positions[of.y]), third(geometry.positions[of.z]);
+    return glm::length(glm::cross(second - first, third - first)) > 0;
+}
+
 // Returns whether triangles of a range have no vertex of the range above them.
 bool is_convex(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body) {
     const VertexRange& range = geometry.ranges[body];
@@ -49,22 +58,23 @@ bool is_convex(const WorldGeometry& geometry, std::span<const TriangleBatch> bat
     const glm::uvec3 first(static_cast<std::uint32_t>(range.first));
     return std::ranges::all_of(batches, [&](const TriangleBatch& batch) {
         return batch.range != body ||
-               std::ranges::all_of(of_batch(geometry, batch),
-                                   [&](const glm::uvec3& of) { return triangles.open(of - first); });
+               std::ranges::all_of(of_batch(geometry, batch), [&](const glm::uvec3& of) {
+                   return !has_area(geometry, of) || triangles.open(of - first);
+               });
     });
 }
 
-// Returns whether a box of a range has no triangle of another one inside. boxes: of all ranges.
+// Returns whether no triangle of another range touches the box of one. boxes: of all ranges.
 bool is_empty(const WorldGeometry& geometry, std::span<const TriangleBatch> batches,
               std::span<const BodyBox> boxes, std::size_t body) {
-    const auto inside = [&](const glm::uvec3& of) {
+    const auto touches = [&](const glm::uvec3& of) {
         BodyBox box;
         for (glm::length_t k = 0; k < 3; ++k) box.add(geometry.positions[of[k]]);
         return box.meets(boxes[body]);
     };
     return std::ranges::none_of(batches, [&](const TriangleBatch& batch) {
         return batch.range != body && boxes[batch.range].meets(boxes[body]) &&
-               std::ranges::any_of(of_batch(geometry, batch), inside);
+               std::ranges::any_of(of_batch(geometry, batch), touches);
     });
 }
 
@@ -81,10 +91,11 @@ std::vector<std::uint32_t> places_of(std::span<const glm::vec3> positions) {
     return out;
 }
 
-// Sets the neighbours of a body's triangles. Edges of other than two triangles, as they are at holes, have
-// none.
-void connect(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body,
-             std::span<std::uint32_t> neighbours) {
+// Calls connect(side, triangle) for each side of a body's triangles, 3 triangle + corner, and the triangle
+// beyond it. Edges of other than two triangles, as they are at holes, connect none.
+template <class Connect>
+void for_neighbours(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body,
+                    const Connect& connect) {
     const VertexRange& range = geometry.ranges[body];
     const std::vector<std::uint32_t> places = places_of(body_positions(geometry, range));
     struct Edge {
@@ -97,6 +108,7 @@ void connect(const WorldGeometry& geometry, std::span<const TriangleBatch> batch
         if (batch.range != body) continue;
         edges.reserve(edges.size() + 3 * (batch.last - batch.first));
         for (std::size_t t = batch.first; t < batch.last; ++t) {
+            if (!has_area(geometry, geometry.triangles[t])) continue;
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const auto place = [&](std::uint32_t corner) {
                     return places[geometry.triangles[t][static_cast<glm::length_t>(corner % 3)] -
@@ -113,8 +125,8 @@ void connect(const WorldGeometry& geometry, std::span<const TriangleBatch> batch
         while (end < edges.size() && edges[end].ends() == edges[begin].ends()) ++end;
         if (end - begin == 2) {
             const std::uint32_t a = edges[begin].side, b = edges[begin + 1].side;
-            neighbours[a] = b / 3;
-            neighbours[b] = a / 3;
+            connect(a, b / 3);
+            connect(b, a / 3);
         }
         begin = end;
     }
@@ -138,41 +150,58 @@ constexpr int kMostSteps = 6;
 
 }  // namespace
 
-ConvexBodies::ConvexBodies(const WorldGeometry& geometry, std::span<const std::uint8_t> chosen)
-    : convex_(chosen.begin(), chosen.end()) {
-    if (std::ranges::none_of(convex_, [](std::uint8_t is) { return is != 0; })) return;
+ConvexBodies::ConvexBodies(const WorldGeometry& geometry, std::span<const std::uint8_t> chosen) {
+    if (std::ranges::none_of(chosen, [](std::uint8_t is) { return is != 0; })) return;
     const std::vector<TriangleBatch> batches = triangle_batches(geometry);
     std::vector<BodyBox> boxes;
     boxes.reserve(geometry.ranges.size());
     for (const VertexRange& range : geometry.ranges)
         boxes.push_back(body_box(body_positions(geometry, range)));
-    for (std::size_t body = 0; body < convex_.size(); ++body) {
-        if (convex_[body] == 0) continue;
-        const bool convex = is_convex(geometry, batches, body) && is_empty(geometry, batches, boxes, body);
-        convex_[body] = convex ? 1 : 0;
-        if (!convex) continue;
-        if (neighbours_.empty()) {
-            rows_.resize(geometry.triangles.size());
-            neighbours_.resize(3 * geometry.triangles.size());
-            for (std::size_t i = 0; i < neighbours_.size(); ++i)
-                neighbours_[i] = static_cast<std::uint32_t>(i / 3);
-        }
-        connect(geometry, batches, body, neighbours_);
-        for (const TriangleBatch& batch : batches) {
-            if (batch.range != body) continue;
-            for (std::size_t t = batch.first; t < batch.last; ++t) rows_[t] = row_of(geometry, t);
-        }
+    for (std::size_t range = 0; range < chosen.size(); ++range) {
+        if (chosen[range] == 0 || !is_convex(geometry, batches, range) ||
+            !is_empty(geometry, batches, boxes, range))
+            continue;
+        bodies_.resize(chosen.size());
+        bodies_[range] = body_of(geometry, batches, range);
     }
 }
 
-std::uint32_t ConvexBodies::leave(const LaneVectors& origins, const LaneVectors& directions,
-                                  std::uint32_t some, std::array<std::uint32_t, kLanes>& triangles,
-                                  LaneTriangles& at, LaneMeetings& out) const {
-    static_assert(sizeof(LaneTriangles) == std::tuple_size_v<Row> * sizeof(Lanes));
+ConvexBodies::Body ConvexBodies::body_of(const WorldGeometry& geometry,
+                                         std::span<const TriangleBatch> batches, std::size_t range) {
+    Body out;
+    for (const TriangleBatch& batch : batches) {
+        if (batch.range != range) continue;
+        if (out.triangles.empty()) out.first = static_cast<std::uint32_t>(batch.first);
+        out.triangles.resize(batch.last - out.first);
+        for (std::size_t t = batch.first; t < batch.last; ++t) {
+            Triangle& triangle = out.triangles[t - out.first];
+            triangle.row = row_of(geometry, t);
+            triangle.neighbours.fill(static_cast<std::uint32_t>(t));
+        }
+    }
+    for_neighbours(geometry, batches, range, [&](std::uint32_t side, std::uint32_t triangle) {
+        out.triangles[side / 3 - out.first].neighbours[side % 3] = triangle;
+    });
+    return out;
+}
+
+std::uint64_t ConvexBodies::bytes() const noexcept {
+    std::uint64_t out = bodies_.size() * sizeof(Body);
+    for (const Body& body : bodies_) out += body.triangles.size() * sizeof(Triangle);
+    return out;
+}
+
+std::uint32_t ConvexBodies::leave(std::size_t range, const LaneVectors& origins,
+                                  const LaneVectors& directions, std::uint32_t some,
+                                  std::array<std::uint32_t, kLanes>& triangles, LaneTriangles& at,
+                                  LaneMeetings& out) const {
+    static_assert(sizeof(LaneTriangles) == std::tuple_size_v<decltype(Triangle::row)> * sizeof(Lanes));
+    const Body& body = bodies_[range];
     std::array<const float*, kLanes> rows;
     std::uint32_t met = 0;
     for (int step = 1;; ++step) {
-        for (std::size_t i = 0; i < kLanes; ++i) rows[i] = rows_[triangles[i]].data();
+        for (std::size_t i = 0; i < kLanes; ++i)
+            rows[i] = body.triangles[triangles[i] - body.first].row.data();
         to_lanes(rows, 9, &at.corners.front().x);
         meet_planes(origins, directions, at, out);
         met = 0;
@@ -184,8 +213,8 @@ std::uint32_t ConvexBodies::leave(const LaneVectors& origins, const LaneVectors&
                 continue;
             }
             if (step == kMostSteps) continue;
-            const std::uint32_t next =
-                neighbours_[3 * std::size_t{triangles[i]} + static_cast<std::size_t>(out.beyond[i])];
+            const Triangle& from = body.triangles[triangles[i] - body.first];
+            const std::uint32_t next = from.neighbours[static_cast<std::size_t>(out.beyond[i])];
             walks = walks || next != triangles[i];
             triangles[i] = next;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/lane_triangles.hpp"
 
+#include "geometry/ray_scene.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -69,10 +70,13 @@ template <class Number>
         load_part(origins, first, origin);
         load_part(directions, first, direction);
         std::array<Vector3<Number>, 3> corners;
+        Number nearest{};
         for (std::size_t k = 0; k < 3; ++k) {
             load_part(triangles.corners[k], first, corners[k]);
+            raise(corners[k], nearest);
             corners[k] = minus_scaled(corners[k], one, origin);
         }
+        nearest *= static_cast<float>(kRayOffset);
         const auto& [a, b, c] = corners;
         Number of_a, of_b, of_c, height, ahead;
         pass_edge(b, c, direction, of_a);
@@ -92,7 +96,7 @@ template <class Number>
         least = of_c < least ? of_c : least;
         least = sum > small ? least : -one;
         least = sum < large ? least : -one;
-        least = distance > 0.0F ? least : -one;
+        least = distance > nearest ? least : -one;
         store_part(Number(least >= 0.0F ? -one : beyond), first, out.beyond);
     }
 }

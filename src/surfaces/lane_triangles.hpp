@@ -33,7 +33,8 @@ struct LaneMeetings {
     Lanes beyond;
 };
 /// Finds where rays in unit directions meet the planes of triangles. Rays meet no back of triangles smaller
-/// than about 1e-12 or larger than 1e12, because products of floats would leave their range.
+/// than about 1e-12 or larger than 1e12, because products of floats would leave their range, nor backs
+/// nearer than rays start from triangles, see ray_offset(), where rounding would decide.
 void meet_planes(const LaneVectors& origins, const LaneVectors& directions, const LaneTriangles& triangles,
                  LaneMeetings& out);
 
@@ -84,6 +85,15 @@ template <class Number>
                                              const Vector3<Number>& direction, Number& out) {
     const Number one = Number{} + 1.0F;
     dot(cross(minus_scaled(a, one, b), minus_scaled(a, Number(-one), b)), direction, out);
+}
+
+/// Raises `largest` to the largest coordinate of a vector.
+template <class Number>
+[[gnu::always_inline]] inline void raise(const Vector3<Number>& v, Number& largest) {
+    for (const Number& number : {v.x, v.y, v.z}) {
+        const Number size = number < 0.0F ? -number : number;
+        largest = size > largest ? size : largest;
+    }
 }
 
 /// Returns the tangents of a geometry at points of its triangles, see tangent(): unit, or 0 if there is none.

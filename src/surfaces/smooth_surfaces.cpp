@@ -49,7 +49,8 @@ std::vector<std::uint8_t> open_among(const WorldGeometry& geometry,
     return out;
 }
 
-ConvexBodies convex_glass(const WorldGeometry& geometry) {
+// Returns 1 for each range of smooth glass.
+std::vector<std::uint8_t> smooth_glass(const WorldGeometry& geometry) {
     std::vector<std::uint8_t> glass;
     glass.reserve(geometry.ranges.size());
     for (const VertexRange& range : geometry.ranges) {
@@ -57,7 +58,7 @@ ConvexBodies convex_glass(const WorldGeometry& geometry) {
         const bool whole = range.material->variation() == nullptr;
         glass.push_back(whole && smoothness_of(*range.material, false) == Smoothness::boundary ? 1 : 0);
     }
-    return {geometry, glass};
+    return glass;
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bo
     finding_.run(surfaces.version(), surfaces.material_version(), lobes, [&] {
         of_triangles_ = nicol::of_triangles(geometry, lobes);
         open_ = open_among(geometry, of_triangles_);
-        convex_ = convex_glass(geometry);
+        const std::vector<std::uint8_t> glass = smooth_glass(geometry);
+        finding_convex_.run(surfaces.version(), glass, [&] { convex_ = ConvexBodies(geometry, glass); });
         const auto has = [this](Smoothness smoothness) {
             return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
         };

@@ -93,7 +93,8 @@ public:
 private:
     Stage<Version, Version, bool> finding_;  // vertices and triangles, materials, whether rays follow lobes
     std::vector<Smoothness> of_triangles_;
-    std::vector<std::uint8_t> open_;  // 1: open triangles
+    std::vector<std::uint8_t> open_;                            // 1: open triangles
+    Stage<Version, std::vector<std::uint8_t>> finding_convex_;  // vertices and triangles, ranges of glass
     ConvexBodies convex_;
     bool mirrors_ = false;          // whether there are triangles of mirrors or lobes
     bool glass_too_ = false;        // whether there are triangles of glass as well

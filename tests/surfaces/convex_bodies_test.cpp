@@ -52,9 +52,14 @@ ConvexBodies bodies_of(const WorldGeometry& geometry) {
 }  // namespace
 
 TEST_CASE(
-    "convex bodies have no vertex above their triangles and no triangle of another range in their box") {
+    "convex bodies have no vertex above their triangles, and no triangle of another range touches their "
+    "box") {
     const Mesh ball = make_sphere({0, 0, 0}, 1, 0.1), other = make_sphere({0.5, 0, 0}, 1, 0.1);
     const Mesh small = make_sphere({0.2, 0, 0}, 0.3, 0.1), far = make_sphere({3, 0, 0}, 1, 0.1);
+    const Mesh cube = make_cube();
+    Mesh upper = cube, with_a_line = ball;
+    for (glm::vec3& position : upper.positions) position.y += 2;
+    with_a_line.triangles.push_back({0, 0, 1});
     const struct {
         const char* what;
         std::vector<Mesh> meshes;
@@ -63,8 +68,12 @@ TEST_CASE(
                  {"beside another one", {ball, far}, true},
                  {"around another one", {ball, small}, false},
                  {"through another one", {ball, other}, false},
+                 {"with a triangle without an area", {with_a_line}, true},
                  {"two in one mesh", {joined(ball, far)}, false},
                  {"on a floor", {ball, floor_at(-1.001F)}, true},
+                 {"cube", {cube}, true},
+                 {"cube on a floor at its base", {cube, floor_at(-1)}, false},
+                 {"stacked cubes", {cube, upper}, false},
                  {"cut by a floor whose vertices are far", {ball, floor_at(-0.5F)}, false}};
     for (const auto& [what, meshes, convex] : cases) {
         CAPTURES(what);
@@ -81,13 +90,15 @@ TEST_CASE(
 TEST_CASE("rays leave a convex body at the triangle that they meet first, if walks are short") {
     for (const double scale : {1.0, 1e-3, 300.0}) {
         WorldGeometry geometry;
+        add(geometry, make_sphere(scale * glm::dvec3(1, 2, 9), scale, 0.1));
+        const auto first = static_cast<std::uint32_t>(geometry.triangles.size());
         add(geometry, make_sphere(scale * glm::dvec3(1, 2, 3), scale, 0.2));
         const ConvexBodies bodies = bodies_of(geometry);
-        REQUIRE(bodies.has(0));
+        REQUIRE(bodies.has(1));
         const RaySurface surfaces[] = {{.positions = geometry.positions, .triangles = geometry.triangles}};
         const RayScene rays(surfaces);
         std::size_t found = 0, all = 0;
-        for (std::uint32_t start = 0; start + kLanes < geometry.triangles.size(); start += 7 * kLanes) {
+        for (std::uint32_t start = first; start + kLanes < geometry.triangles.size(); start += 7 * kLanes) {
             LaneVectors origins, directions;
             std::array<std::uint32_t, kLanes> triangles;
             std::array<std::optional<RayHit>, kLanes> hits;
@@ -107,12 +118,12 @@ TEST_CASE("rays leave a convex body at the triangle that they meet first, if wal
                 hits[i] = rays.intersect({.origin = origin, .direction = direction});
                 REQUIRE(hits[i]);
                 // Triangles that follow one another are mostly neighbours.
-                triangles[i] = hits[i]->triangle + (i % 3 == 0 || hits[i]->triangle == 0 ? 0U : ~0U);
+                triangles[i] = hits[i]->triangle + (i % 3 == 0 || hits[i]->triangle == first ? 0U : ~0U);
             }
             constexpr std::uint32_t some = 0xfff7;
             LaneTriangles at;
             LaneMeetings where;
-            const std::uint32_t met = bodies.leave(origins, directions, some, triangles, at, where);
+            const std::uint32_t met = bodies.leave(1, origins, directions, some, triangles, at, where);
             CHECK((met & ~some) == 0);
             found += static_cast<std::size_t>(std::popcount(met));
             all += static_cast<std::size_t>(std::popcount(some));

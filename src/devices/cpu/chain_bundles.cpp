@@ -44,6 +44,7 @@ std::span<std::uint32_t> exits_of(int events, std::size_t columns) {
 
 // Samples of one boundary, side by side, and the light that they receive.
 struct SmoothChains::Bundle {
+    std::size_t number;  // of the range
     const VertexRange& range;
     const SmoothBoundary& boundary;
     bool convex;  // whether the boundary is that of a convex body with nothing inside
@@ -82,7 +83,8 @@ void SmoothChains::follow_bundles(std::vector<Shown>& shown, std::vector<Chain>&
             continue;
         }
         sums.assign(out.size(), {});
-        Bundle bundle{.range = vertices,
+        Bundle bundle{.number = some.front().range,
+                      .range = vertices,
                       .boundary = boundary,
                       .convex = input_.smooth->convex().has(some.front().range),
                       .shown = {},
@@ -180,8 +182,9 @@ std::uint32_t SmoothChains::leave(LaneChains& chains, std::uint32_t some, const 
     guessed &= some;
     if (guessed == 0) return 0;
     LaneMeetings found;
-    const std::uint32_t met = input_.smooth->convex().leave(chains.origins, chains.rays.directions, guessed,
-                                                            chains.met, chains.rays.triangles, found);
+    const std::uint32_t met =
+        input_.smooth->convex().leave(bundle.number, chains.origins, chains.rays.directions, guessed,
+                                      chains.met, chains.rays.triangles, found);
     chains.rays.distances = found.distances;
     chains.rays.b1 = found.b1;
     chains.rays.b2 = found.b2;
@@ -211,12 +214,12 @@ void SmoothChains::trace(LaneChains& chains, std::uint32_t some, std::uint32_t& 
     const std::uint32_t any = chains.met[static_cast<std::size_t>(std::countr_zero(met))];
     for (std::size_t i = 0; i < kLanes; ++i)
         if ((met >> i & 1) == 0) chains.met[i] = any;
-    if (bundle.convex) {
+    if (bundle.convex && traced != 0) {
         // Rays that were traced end at the same bits as rays whose exit was guessed.
         std::array<std::uint32_t, kLanes> exits = chains.met;
         LaneMeetings at;
-        const std::uint32_t left = input_.smooth->convex().leave(chains.origins, chains.rays.directions,
-                                                                 traced, exits, chains.rays.triangles, at);
+        const std::uint32_t left = input_.smooth->convex().leave(
+            bundle.number, chains.origins, chains.rays.directions, traced, exits, chains.rays.triangles, at);
         for_lanes(left, [&](std::size_t i) {
             chains.met[i] = exits[i];
             chains.rays.distances[i] = at.distances[i];

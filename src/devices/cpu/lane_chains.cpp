@@ -115,15 +115,6 @@ template <class Number>
     choose_part(a.z, b.z, first_chosen, first, to.z);
 }
 
-// Raises `largest` to the largest coordinate of a vector.
-template <class Number>
-[[gnu::always_inline]] inline void raise(const Vector3<Number>& v, Number& largest) {
-    for (const Number& number : {v.x, v.y, v.z}) {
-        const Number size = number < 0.0F ? -number : number;
-        largest = size > largest ? size : largest;
-    }
-}
-
 template <class Number>
 [[gnu::always_inline]] inline void continue_all(const LaneChains& from, const LaneSplit& split,
                                                 const LaneChoice& choice, LaneChains& out, Lanes& outside) {
