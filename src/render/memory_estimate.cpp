@@ -17,6 +17,7 @@
 #include "draw/visibility_buffer.hpp"
 #include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "methods/bounce_columns.hpp"
 #include "methods/bounces.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
@@ -56,6 +57,26 @@ LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     if ((options.disabled_optimisations & skip_light_components) != 0) return LightKind::full;
     const LightKind kind = light_kind(scene.distant_light().get());
     return bounces(options) && options.components > 1 ? std::max(kind, LightKind::linear) : kind;
+}
+
+// Returns the components of the distant light; none: there is no distant light.
+std::optional<LightKind> distant_kind(const Scene& scene) {
+    std::optional<LightKind> out;
+    if (scene.distant_light() != nullptr) out = light_kind(scene.distant_light().get());
+    return out;
+}
+
+// Returns the order of vertices, to which bounces may raise that of the options. An order out of range is
+// refused by the render.
+int order_of(const Scene& scene, const RenderOptions& options) {
+    int order = options.order_low;
+    if (bounces(options)) {
+        if (scene.distant_light() == nullptr)
+            order = std::max(order, kLocalBounceOrder);
+        else if (options.choose_orders)
+            order = std::max(order, kBounceOrder);
+    }
+    return std::clamp(order, 0, kMaxRenderOrder);
 }
 
 // Vertices per block. Vertices are stored in blocks, so the memory of all is a multiple of a block's.
@@ -154,8 +175,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     if (size.vertices == 0) return estimate;
     estimate.focused = focused(scene, options);
 
-    // An order out of range is refused by the render.
-    const int order = std::clamp(options.order_low, 0, kMaxRenderOrder);
+    const int order = order_of(scene, options);
     const LightLayout layout(order, kind_of(scene, options));
     if (options.method == Method::dense) {
         estimate.transfer += dense(scene, layout);
@@ -165,15 +185,13 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout);
     }
     if (shadows && bounces(options)) {
-        std::optional<LightKind> light;
-        if (scene.distant_light() != nullptr) light = light_kind(scene.distant_light().get());
         // In small scenes each vertex may be a receiver, in others one of four.
         const std::uint64_t counted =
             std::max(size.vertices, std::min<std::uint64_t>(4 * size.vertices, 8192));
-        estimate.transfer += counted * Bounces::bytes_of_vertex(light, layout.kind(), scene.channels());
+        estimate.transfer +=
+            counted * Bounces::bytes_of_vertex(distant_kind(scene), layout.kind(), scene.channels());
     }
-    const bool high_orders =
-        options.high_orders != HighOrders::none && options.order_high > options.order_low;
+    const bool high_orders = options.high_orders != HighOrders::none && options.order_high > order;
     if (high_orders && shadows && options.high_order_shadows) {
         // Visibility has twice the orders that materials resolve.
         estimate.transfer += size.vertices * (psh_count(2 * order) * sizeof(float) + sizeof(glm::vec2));
@@ -222,7 +240,7 @@ GradientMemory gradient_memory(const Scene& scene, const RenderOptions& options,
     const Size size = size_of(scene);
     if (!options.shadows || size.triangles == 0) return memory;
     // Vertices have sums of gradients, and for texels the light that they show.
-    const LightLayout layout(std::clamp(options.order_low, 0, kMaxRenderOrder), kind_of(scene, options));
+    const LightLayout layout(order_of(scene, options), kind_of(scene, options));
     memory.of_vertices = (texels != nullptr ? 2 : 1) * blocks(size.vertices) *
                          VertexLight(layout, scene.channels(), kBlock).bytes();
     return memory;
@@ -233,19 +251,19 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
     vertices_ = size_of(scene).vertices;
     if (!saves()) return;
     image_ = image_memory(scene, options, width, height) + gradients.texels;
-    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options),
-                  options.method, options.order_low, options.order_high, options.high_orders, options.shadows,
-                  options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_,
-                  focused(scene, options), gradients.of_vertices, [&] {
-                      estimate_ = estimate_memory(scene, options);
-                      estimate_.transfer += gradients.of_vertices;
-                      const std::uint64_t needed = estimate_.total() + image_;
-                      if (needed <= bytes_) return;
-                      throw Error(ErrorCode::out_of_memory,
-                                  "the scene and its image need up to " + std::to_string(needed) +
-                                      " bytes at run time; the context's memory_limit is " +
-                                      std::to_string(bytes_));
-                  });
+    checking_.run(
+        scene.geometry_version(), scene.channels(), kind_of(scene, options), distant_kind(scene),
+        bounces(options), options.method, order_of(scene, options), options.order_high, options.high_orders,
+        options.shadows, options.high_order_shadows, options.bake_directions, options.disabled_optimisations,
+        image_, focused(scene, options), gradients.of_vertices, [&] {
+            estimate_ = estimate_memory(scene, options);
+            estimate_.transfer += gradients.of_vertices;
+            const std::uint64_t needed = estimate_.total() + image_;
+            if (needed <= bytes_) return;
+            throw Error(ErrorCode::out_of_memory,
+                        "the scene and its image need up to " + std::to_string(needed) +
+                            " bytes at run time; the context's memory_limit is " + std::to_string(bytes_));
+        });
     share_.reserve(estimate_.visibility + estimate_.transfer + estimate_.focused + image_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "harmonics/light_layout.hpp"
@@ -95,10 +96,10 @@ private:
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
-    // Inputs: geometry, channels, components of the light, whether it bounces, the options that matter, the
-    // bytes of the image, of focused light and of gradients.
-    Stage<Version, int, LightKind, bool, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
-          std::uint64_t, std::uint64_t, std::uint64_t>
+    // Inputs: geometry, channels, components of the light and of the distant light, whether light bounces,
+    // the options that matter, the bytes of the image, of focused light and of gradients.
+    Stage<Version, int, LightKind, std::optional<LightKind>, bool, Method, int, int, HighOrders, bool, bool,
+          int, std::uint32_t, std::uint64_t, std::uint64_t, std::uint64_t>
         checking_;
 };
 

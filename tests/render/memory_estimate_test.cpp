@@ -3,6 +3,7 @@
 #include "render/memory_estimate.hpp"
 
 #include "material/dielectric.hpp"
+#include "methods/bounce_columns.hpp"
 #include "render/scenes.hpp"
 #include "surfaces/photon_paths.hpp"
 #include "test.hpp"
@@ -73,6 +74,27 @@ TEST_CASE("the memory beside an image has the textures of elements, and one that
     CHECK(image() == two);
     scene.set_element(other, {retarder, {.retardance = map(50, 10)}});
     CHECK(image() - two == 4 * 50 * 10);
+}
+
+TEST_CASE("bounces under lamps alone count with their own order, which a distant light takes from them") {
+    RenderOptions options = bouncing();
+    options.order_low = kBounceOrder;
+    RenderOptions higher = options;
+    higher.order_low = kLocalBounceOrder;
+    const auto total = [](const Scene& of, const RenderOptions& with) {
+        return estimate_memory(of, with).total() + image_memory(of, with, 64, 64);
+    };
+    Scene scene = lit_ball(diffuse({0.5}));
+    CHECK(total(scene, options) == total(scene, higher));
+    MemoryLimit limit(128 * kMegabyte), fresh(128 * kMegabyte);
+    limit.check(scene, options, 64, 64);
+    const std::uint64_t before = limit.max_vertices(options);
+    scene.set_environment(test::falling_light(9, true, 3), glm::dmat3(1), 1);
+    CHECK(total(scene, options) < total(scene, higher));
+    limit.check(scene, options, 64, 64);
+    fresh.check(scene, options, 64, 64);
+    CHECK(limit.max_vertices(options) == fresh.max_vertices(options));
+    CHECK(limit.max_vertices(options) != before);
 }
 
 TEST_CASE("a refined scene asks for the memory of focused light once") {
