@@ -253,14 +253,17 @@ void LitBatch::dim() {
 }
 
 std::uint32_t LitBatch::facing_points() const {
-    const std::uint32_t lit = all_ & light_.points & reflected_.lit(light_);
-    return points_.facets.empty() ? lit : lit & above(facets_, light_);
+    return before_facets(all_ & light_.points & reflected_.lit(light_));
 }
 
 std::uint32_t LitBatch::facing_parts() {
     std::uint32_t lit = 0;
     for (std::size_t part = 0; part < MirroredParts::kCount; ++part) lit |= parts_->at(part).lit(light_);
-    return all_ & lit & above(facets_, light_);
+    return before_facets(all_ & lit);
+}
+
+std::uint32_t LitBatch::before_facets(std::uint32_t points) const {
+    return points_.facets.empty() ? points : points & above(facets_, light_);
 }
 
 double LitBatch::narrowest_lobe(SampledTerms find_it) const {

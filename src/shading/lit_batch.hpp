@@ -101,6 +101,8 @@ private:
     [[nodiscard]] std::uint32_t facing_points() const;
     // Returns the points of whose pixels the light may reach any part.
     [[nodiscard]] std::uint32_t facing_parts();
+    // Returns the points above whose facets, if known, the light is.
+    [[nodiscard]] std::uint32_t before_facets(std::uint32_t points) const;
     // Returns the width of the narrowest rough lobe, but for terms that find the light.
     [[nodiscard]] double narrowest_lobe(SampledTerms find_it) const;
     void set_pixels(const MirroredPixels& pixels);

@@ -49,9 +49,6 @@ public:
     [[nodiscard]] std::uint32_t across(const LaneLight& light, double lobe_width,
                                        std::uint32_t samples) const;
 
-    /// Returns the parts of the points' pixels; empty: what the pixels mirror changes evenly.
-    [[nodiscard]] std::span<const MirroredParts> parts() const noexcept { return parts_; }
-
     /// Sets the light's directions, and the x axes of its frames, to `towards` and `x`, moved so that the
     /// points reflect the light as they do at a place of their pixels, with the normals of the parts there.
     /// place: from the pixel's middle, -0.5 to 0.5 to the right and down.
