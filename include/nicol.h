@@ -1927,7 +1927,8 @@ typedef struct nicol_statistics {
     double bounced_light;           /* RMS over vertices of bounced light, relative to that of all light */
     double bounced_left;            /* estimate of the bounces that were left out, in the same unit */
     uint64_t bake_rays_skipped;     /* rays above the horizon of baked points whose result was known without, beside bake_rays */
-    uint64_t vertices_unbaked;      /* vertices that were not baked, because no image has needed their shadows yet */
+    uint64_t vertices_unbaked;      /* vertices that were not baked, or not since the scene changed, because no image has
+                                       needed their shadows yet */
     uint32_t given_up;              /* number of better pictures that time_budget_ms does not allow; 0: nothing is given up */
     uint32_t pixel_samples;         /* real-time methods: samples per pixel of the image */
     uint32_t light_samples;         /* real-time methods: light_samples of the image */

@@ -14,6 +14,19 @@ namespace nicol {
 template <class Value>
 class KeyTable {
 public:
+    KeyTable() = default;
+    KeyTable(const KeyTable&) = default;
+    /// Leaves the other table empty.
+    KeyTable(KeyTable&& other) noexcept
+        : slots_(std::exchange(other.slots_, {})), size_(std::exchange(other.size_, 0)) {}
+    KeyTable& operator=(const KeyTable&) = default;
+    KeyTable& operator=(KeyTable&& other) noexcept {
+        slots_ = std::exchange(other.slots_, {});
+        size_ = std::exchange(other.size_, 0);
+        return *this;
+    }
+    ~KeyTable() = default;
+
     /// Makes room for some entries.
     void reserve(std::size_t entries) {
         while (slots_.size() < 2 * entries) grow();

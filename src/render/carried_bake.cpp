@@ -82,8 +82,10 @@ Visibility SceneVisibility::bake_carried(BakeGeometry geometry, const SceneGeome
         missing[v] = (needed.flags.empty() || needed.flags[v] != 0) && states[v] == 0 ? 1 : 0;
     }
     std::vector<std::uint32_t> like;
+    // shares() takes it that vertices share in no coarser pixels than those of traced_edge_.
     if (needed.pixel > 0 && traced_edge_ > 0 && !finest && !geometry.every_ray)
-        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing, needed.pixel);
+        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing,
+                                                  std::min(needed.pixel, traced_edge_ / kPixelsOfEdge));
     const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
     const FormerBake former{.visibility = **baked_,
                             .kept = change.kept,

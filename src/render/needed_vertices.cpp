@@ -83,7 +83,7 @@ void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& 
 }
 
 // Adds a sample of each instance: blocks of kLanes vertices, which later steps compute together. Known
-// vertices are in it as they are.
+// vertices are left out: they would be baked for it alone, and count as not baked where it is used.
 void add_sample(const WorldGeometry& geometry, std::span<const std::uint8_t> known,
                 std::vector<std::uint8_t>& flags) {
     for (const VertexRange& range : geometry.ranges) {

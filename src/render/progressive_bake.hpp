@@ -48,7 +48,8 @@ public:
         bool fine;         ///< whether the refinement had no RefineOptions::shortest_edge
         double tolerance;  ///< RenderOptions::refine_tolerance
         std::uint64_t most_vertices;
-        /// 1 for each vertex that was baked; others count as unoccluded. Empty: all were.
+        /// 1 for each vertex that was baked since the last change; others have what they saw before, or
+        /// count as unoccluded if they were never baked. Empty: all were.
         std::vector<std::uint8_t> baked;
         std::span<const glm::vec3> normals;  ///< normals of the vertices
         /// 1 for each vertex whose last light belongs to another visibility. Empty: there are none.

@@ -11,7 +11,6 @@
 #include "render/baked_vertices.hpp"
 #include "render/carried_states.hpp"
 #include "render/needed_vertices.hpp"
-#include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
 #include "visibility/possible_blockers.hpp"
 
@@ -21,6 +20,9 @@ namespace {
 // Directions, as a part of all, times the tolerance of shadows, in which a vertex may see something else than
 // before the change of a scene and keep its light.
 constexpr double kUnshown = 1.0 / 16;
+// Changes of a scene after which vertices that have not followed them are baked from scratch: the balls that
+// the record of these changes has joined reach so far that they disturb nearly all rays.
+constexpr std::size_t kMostChanges = 24;
 
 // Returns the number of unoccluded vertices among those that were baked. Empty: all were.
 std::size_t unoccluded_count(const Visibility& visibility, std::span<const std::uint8_t> baked) {
@@ -244,8 +246,10 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
     const SceneGeometry::Change& change = surfaces.change();
-    const bool is_part = any(needed_) || any(outdated_);
     const bool same = baking_.is_current(surfaces.version(), count, axes);
+    // Before the search, which leaves outdated vertices out.
+    if (!same && since_outdated_.changes() >= kMostChanges) outdated_.clear();
+    const bool is_part = any(needed_) || any(outdated_);
     const bool carry = !change.kept.empty() && (needed_.empty() || is_part) &&
                        baking_.is_current(change.before, count, axes);
     NeededVertices needed;
@@ -257,6 +261,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             seeing_.reset();
             if (part_is_current) ++views_since_;
         }
+        // A search for a bake that takes over vertices has left those out of its sample.
+        if (!same && !carry) seeing_.reset();
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
             const std::size_t vertices = surfaces.geometry().positions.size();
             const std::vector<std::uint8_t> known = carry
@@ -325,74 +331,6 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         count_bake(baked, watch, statistics);
     });
     return ran && (carry || rest);
-}
-
-void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
-                             Workers& workers, Progress& progress, Statistics& statistics) {
-    const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
-    const double edge = shortest_edge_;
-    refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all, edge, [&] {
-        const Stopwatch watch;
-        const auto report = [&progress](double fraction) {
-            progress.report("bake", kTracingOfBake + (1 - kTracingOfBake) * fraction);
-        };
-        BakeStatistics baked;
-        refined_.reset();
-        numbers_ = {};
-        topology_ = {};
-        std::shared_ptr<const Visibility> visible = *baked_;
-        workers.run([&] {
-            if (!(options.refine_tolerance > 0)) return;
-            std::vector<std::uint8_t> room;
-            const std::span traced = traced_of(surfaces.geometry(), needed_, room);
-            Refinement refinement = refinement_of(surfaces, geometry_of(surfaces, rays, traced, options),
-                                                  *visible, options, report, baked);
-            points_ = std::move(refinement.points);
-            points_bake_ = baked_.version();
-            // A point takes less memory than a vertex, for which the limit leaves room.
-            const std::size_t vertices = visible->vertices() + refinement.parents.size();
-            if (vertices + points_.size() > options.max_vertices) points_ = {};
-            if (refinement.parents.empty()) return;
-            RefinedGeometry split = refined(surfaces.geometry(), refinement, options.max_vertices);
-            refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
-            parts_ = std::move(split.parts);
-            numbers_ = std::move(split.numbers);
-            visible = std::make_shared<const Visibility>(std::move(split.visibility));
-            topology_ = std::move(refinement);
-            topology_.visibility = {};
-        });
-        baked_vertices_.clear();
-        if (!needed_.empty()) {
-            baked_vertices_.assign(visible->vertices(), kTraced);
-            for (std::size_t v = 0; v < needed_.size(); ++v) baked_vertices_[numbers_.number(v)] = needed_[v];
-        }
-        if (shadow_all) {
-            Visibility all = *visible;
-            for (std::size_t v = 0; v < all.vertices(); ++v) all.set_unoccluded(v, false);
-            visible = std::make_shared<const Visibility>(std::move(all));
-        }
-        visible_.change() = std::move(visible);
-        count_bake(baked, watch, statistics);
-    });
-}
-
-Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const BakeGeometry& geometry,
-                                          const Visibility& visible, const RenderOptions& options,
-                                          const BakeProgress& report, BakeStatistics& baked) const {
-    const RefineOptions wanted{.tolerance = options.refine_tolerance,
-                               .max_vertices = options.max_vertices,
-                               .shortest_edge = shortest_edge_,
-                               .wanted = wanted_};
-    FormerRefinement former{.points = points_, .disturbances = {}};
-    std::vector<ShiftedObject> shifted;
-    if (points_bake_ != baked_.version()) {
-        if (points_bake_ == 0 || points_bake_ != carried_)
-            return load_or_refine(geometry, *directions_, visible, wanted, folder_, notice_, report, baked);
-        former.disturbances = {surfaces.change().added, surfaces.change().removed};
-        shifted = shifted_objects(surfaces.change(), traces_all(options));
-        former.shifted = shifted;
-    }
-    return nicol::refine(geometry, *directions_, visible, wanted, report, baked, &former);
 }
 
 }  // namespace nicol

@@ -61,7 +61,7 @@ struct Statistics : RenderWork {
     std::uint64_t triangles = 0;
     std::uint64_t vertices_added = 0;       ///< part of `vertices`: added by refinement
     std::uint64_t vertices_skipped = 0;     ///< vertices of no triangle that faces the camera inside the view
-    std::uint64_t vertices_unbaked = 0;     ///< vertices whose visibility no image has needed
+    std::uint64_t vertices_unbaked = 0;     ///< vertices not baked since a change: no image needs them
     std::uint64_t vertices_pending = 0;     ///< vertices whose visibility is not final (bake_budget_ms)
     std::uint64_t vertices_unoccluded = 0;  ///< vertices from which nothing hides the environment
     /// Vertices moved into the physically realizable range, times channels; pixels are not counted.

@@ -59,7 +59,8 @@ constexpr std::size_t kNone = ~std::size_t{0};
 /// Vertices of a former bake, and their rays whose result may differ.
 class KnownRays {
 public:
-    KnownRays(const FormerBake& former, const DirectionSet& directions, std::size_t vertices)
+    KnownRays(const FormerBake& former, const BakeGeometry& geometry, const DirectionSet& directions,
+              std::size_t vertices)
         : former_(former), places_(vertices, kNone), disturbed_of_(vertices, 0) {
         disturbed_.emplace_back(directions, former.disturbances);
         for (const VertexRun& run : former.kept) add(run, Known::former);
@@ -68,7 +69,8 @@ public:
             add(shifted.vertices, Known::former);
         }
         if (std::ranges::find(former.known, Known::earlier) == former.known.end()) return;
-        disturbed_.emplace_back(directions, former.earlier);
+        // Vertices that are not needed keep their bits, whatever disturbs their rays.
+        if (needs_earlier(former, geometry)) disturbed_.emplace_back(directions, former.earlier);
         for (const VertexRun& run : former.kept) add(run, Known::earlier);
     }
 
@@ -88,7 +90,17 @@ public:
     }
 
 private:
-    // Adds the vertices of a run in this state, whose rays disturbed_.back() finds.
+    // Returns whether a vertex is needed that is known from before earlier changes. former: has such vertices
+    // and its runs are valid.
+    [[nodiscard]] static bool needs_earlier(const FormerBake& former, const BakeGeometry& geometry) {
+        return std::ranges::any_of(former.kept, [&](const VertexRun& run) {
+            for (std::size_t v = run.first; v < run.last; ++v)
+                if (former.known[run.before + (v - run.first)] == Known::earlier && geometry.needs(v))
+                    return true;
+            return false;
+        });
+    }
+    // Adds the vertices of a run in this state. disturbed_.back() finds the rays of those that are needed.
     void add(const VertexRun& run, Known state) {
         const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
         if (run.first > run.last || run.last > places_.size() || there > former_.visibility.vertices()) {
@@ -149,7 +161,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const BakeRays scene = rays_of(geometry);
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::optional<KnownRays> known_rays;
-    if (former != nullptr) known_rays.emplace(*former, directions, vertices);
+    if (former != nullptr) known_rays.emplace(*former, geometry, directions, vertices);
     const bool few = few_needed(geometry, vertices, known_rays ? &*known_rays : nullptr);
     const bool spare = !geometry.every_ray && !few;
     const std::shared_ptr<const PossibleBlockers> possible =

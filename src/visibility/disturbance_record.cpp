@@ -30,6 +30,7 @@ void append(std::span<const Ball> some, std::vector<Ball>& balls) {
 void DisturbanceRecord::add(std::span<const Ball> added, std::span<const Ball> removed) {
     append(added, added_);
     append(removed, removed_);
+    ++changes_;
 }
 
 }  // namespace nicol

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "geometry/edge_bisection.hpp"
@@ -252,7 +253,9 @@ private:
     }
 
     [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
-        return *middles_.find(pair_key(a, b));
+        const std::size_t* row = middles_.find(pair_key(a, b));
+        if (row == nullptr) throw std::out_of_range("a pair of vertices has no middle");
+        return *row;
     }
 
     // Finds the pairs of vertices between which interpolation may err by more than the tolerance. If the

@@ -250,6 +250,32 @@ IMAGE_TEST_CASE("a series of changes and views leaves the image of a fresh start
     }
 }
 
+IMAGE_TEST_CASE("a far view leaves no coarse shadows to nearer ones") {
+    const auto bumpy = bumpy_sphere();
+    // Distances stay about the same, so that what the first near view has traced suffices.
+    const Camera near = camera_at({0, 1, 4}), near_back = camera_at({0, 1, -4}),
+                 far = camera_at({0, 2.5, 40}), far_back = camera_at({0, 2.5, -40});
+    const struct {
+        const char* name;
+        std::vector<Camera> before, after;  // views before and after an object comes
+        Camera last;
+    } cases[] = {{"of vertices that come", {near}, {far}, near},
+                 {"of outdated vertices", {far}, {far_back, near_back}, near}};
+    for (const auto& each : cases) {
+        CAPTURE(each.name);
+        Scene scene = scene_of(bumpy, 0.5, 1);
+        Studio studio(context);
+        for (const Camera& camera : each.before) static_cast<void>(studio(scene, options_with(0), camera));
+        scene.add({.mesh = bumpy, .material = diffuse({0.5}), .to_world = test::at(1.7, 0, 0, 0.5)});
+        for (const Camera& camera : each.after) static_cast<void>(studio(scene, options_with(0), camera));
+        CHECK(studio.statistics.vertices_unbaked > 0);
+        const StokesImage image = studio(scene, options_with(0), each.last);
+        Studio fresh(context);
+        const StokesImage truth = fresh(scene, options_with(skip_rays), each.last);
+        CHECK(rms_difference(image, truth) <= 2e-3 * rms(truth));
+    }
+}
+
 IMAGE_TEST_CASE("images of few vertices refine what they show") {
     Scene scene;
     scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), 1);
@@ -292,6 +318,10 @@ IMAGE_TEST_CASE("images of few vertices refine what they show") {
         const StokesImage moved = studio(scene, options, above), truth = fresh(scene, tracing, above);
         CHECK(2 * studio.statistics.vertices_added < fresh.statistics.vertices_added);
         CHECK(rms_difference(moved, truth) <= 1e-2 * rms(truth));
+        // A shadow that stayed behind would be within the tolerance of all rays.
+        Studio part(context, 64, 48);
+        const StokesImage anew = part(scene, options, above);
+        CHECK(rms_difference(moved, anew) <= 5e-3 * rms(anew));
     }
     SUBCASE("when a render has a budget") {
         options.bake_budget_ms = 1e9;

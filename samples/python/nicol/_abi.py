@@ -1601,7 +1601,8 @@ class Statistics(Struct):
     bounced_light: RMS over vertices of bounced light, relative to that of all light
     bounced_left: estimate of the bounces that were left out, in the same unit
     bake_rays_skipped: rays above the horizon of baked points whose result was known without, beside bake_rays
-    vertices_unbaked: vertices that were not baked, because no image has needed their shadows yet
+    vertices_unbaked: vertices that were not baked, or not since the scene changed, because no image has
+                                               needed their shadows yet
     given_up: number of better pictures that time_budget_ms does not allow; 0: nothing is given up
     pixel_samples: real-time methods: samples per pixel of the image
     light_samples: real-time methods: light_samples of the image
