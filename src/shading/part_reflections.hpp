@@ -31,11 +31,11 @@ public:
     }
 
 private:
+    std::array<ReflectedLight, MirroredParts::kCount> reflected_;
+    std::array<std::array<glm::vec3, kLanes>, MirroredParts::kCount> normals_;
     const Views& views_;
     std::span<const glm::vec3> positions_, tangents_;
     std::span<const MirroredParts> parts_;
-    std::array<std::array<glm::vec3, kLanes>, MirroredParts::kCount> normals_;
-    std::array<ReflectedLight, MirroredParts::kCount> reflected_;
     std::uint32_t prepared_ = 0;  // bits of the parts
 };
 
