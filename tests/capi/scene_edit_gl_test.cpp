@@ -17,7 +17,7 @@ std::vector<std::uint32_t> ids_of(nicol_scene scene) {
 }
 
 // Renders a new scene made of the same instances.
-std::vector<float> fresh(const Stage& stage, std::uint32_t disabled = 0) {
+std::vector<float> fresh(const Stage& stage) {
     const Owned scene(empty_scene(stage.context));
     OK(nicol_scene_set_environment(scene, stage.environment, nullptr, 1));
     for (const std::uint32_t id : ids_of(stage.scene)) {
@@ -28,8 +28,7 @@ std::vector<float> fresh(const Stage& stage, std::uint32_t disabled = 0) {
         add(scene, mesh, material, at);
     }
     const Owned framebuffer(framebuffer_of(stage.context, 24, 16, 3));
-    nicol_render_options options = plain_options();
-    options.disabled_optimisations = disabled;
+    const nicol_render_options options = plain_options();
     OK(nicol_render(scene, &stage.camera, &options, framebuffer));
     return read_all(framebuffer);
 }
@@ -113,11 +112,10 @@ STAGE_TEST_CASE("an instance deforms, and has another mesh") {
     OK(nicol_mesh_get_size(bent, &vertices, &same_triangles));
     CHECK(same_triangles == triangles);
     OK(nicol_scene_set_mesh(stage.scene, id, bent));
-    // A first image refines only what it shows, unless it may not spare rays; later ones refine all.
-    CHECK(stage.image() == fresh(stage, NICOL_OPTIMISATION_RAYS));
+    CHECK(stage.image() == fresh(stage));
     OK(nicol_scene_set_mesh(stage.scene, id, Owned(cube(stage.context))));  // kept by the scene
     const std::vector<float> image = stage.image();
-    CHECK(image == fresh(stage, NICOL_OPTIMISATION_RAYS));
+    CHECK(image == fresh(stage));
 
     nicol_mesh none = marker<nicol_mesh>();
     const auto refused = [&](const std::string& message) {
