@@ -14,8 +14,8 @@ namespace {
 
 // Largest distance of a vertex from its receiver, relative to the distance of the surfaces that the receiver
 // sees, where their normals are equal; and largest sqrt(1 - cos(angle)) of the normals at one place.
-constexpr float kReach = 0.27F;
-constexpr float kBend = 0.36F;
+constexpr float kReach = 0.3F;
+constexpr float kBend = 0.4F;
 // Vertices per receiver at least. The reach of receivers grows by a factor, a few times at most, while there
 // are fewer.
 constexpr std::size_t kVerticesOfReceiver = 4;
