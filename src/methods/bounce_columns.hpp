@@ -2,6 +2,7 @@
 // Bounced light as a linear map of the distant light, and that of local lights.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,6 +19,15 @@ inline constexpr int kBounceOrder = 3;
 /// Highest order of bounced light at vertices under local lights alone. There is no map, so rough metal can
 /// be shown what it reflects more sharply.
 inline constexpr int kLocalBounceOrder = 5;
+/// Returns the highest order of bounced light at vertices. distant: whether there is distant light.
+[[nodiscard]] constexpr int highest_bounce_order(bool distant) {
+    return distant ? kBounceOrder : kLocalBounceOrder;
+}
+/// Returns the order of vertices where light bounces, which bounces may raise. order: of the options; chosen:
+/// whether it may be chosen, as it always may under lamps alone, of which vertices keep nothing else.
+[[nodiscard]] constexpr int order_with_bounces(int order, bool distant, bool chosen) {
+    return distant && !chosen ? order : std::max(order, highest_bounce_order(distant));
+}
 /// Highest order of the distant light that bounces. What surfaces reflect to each other is so smooth that
 /// higher orders hardly matter. The 16 columns of unpolarized light fill Lanes.
 inline constexpr int kBouncingOrder = 3;

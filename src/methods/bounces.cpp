@@ -329,7 +329,7 @@ PshVector Bounces::gradient(const std::function<const float*(std::size_t)>& row,
 
 std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind bounced, int channels) {
     const auto planes = static_cast<std::uint64_t>(channels);
-    const std::uint64_t numbers = LightLayout(light ? kBounceOrder : kLocalBounceOrder, bounced).size();
+    const std::uint64_t numbers = LightLayout(highest_bounce_order(light.has_value()), bounced).size();
     const std::uint64_t lights = light ? LightLayout(kBouncingOrder, *light).size() : 0;
     const std::uint64_t light_of_one = planes * numbers * sizeof(float);
     const std::uint64_t coverage = numbers * sizeof(float);

@@ -88,17 +88,22 @@ bool SceneVisibility::shares(double edge) const {
 void SceneVisibility::come_nearer(double edge) {
     if (edge < (1 - kNearer) * shortest_edge_) shortest_edge_ = edge;
     if (shares(edge)) return;
-    // Vertices that became outdated took what others in a coarser pixel saw.
-    for (std::uint8_t& state : outdated_)
-        if (state != kTraced) state = 0;
+    outdated_ = outdated(false);
     traced_edge_ = edge;
-    points_ = {};
-    points_bake_ = 0;
+    forget_points();
+}
+
+double SceneVisibility::shared_pixel(double pixel) const {
+    return std::min(pixel, traced_edge_ / kPixelsOfEdge);
 }
 
 void SceneVisibility::refine_all() {
     shortest_edge_ = traced_edge_ = 0;
     wanted_.clear();
+    forget_points();
+}
+
+void SceneVisibility::forget_points() {
     points_ = {};
     points_bake_ = 0;
 }
@@ -122,8 +127,6 @@ void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const Stopwatch watch;
     const double edge = kPixelsOfEdge * needed.pixel;
     const bool shared = shares(edge);
-    // shares() takes it that vertices share in no coarser pixels than those of traced_edge_.
-    const double pixel = std::min(needed.pixel, traced_edge_ / kPixelsOfEdge);
     std::vector<std::uint8_t> missing(needed_.size(), 0);
     for (std::size_t v = 0; v < missing.size(); ++v) {
         const bool shown = needed.flags.empty() || needed.flags[v] != 0;
@@ -134,7 +137,7 @@ void SceneVisibility::grow(const SceneGeometry& surfaces, SurfaceRays& rays, con
         const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
         workers.run([&] {
             bake_missing(
-                surfaces, rays, pixel, shared, options,
+                surfaces, rays, shared_pixel(needed.pixel), shared, options,
                 [&](double fraction) { progress.report("bake", share * fraction); }, missing, baked);
         });
     }

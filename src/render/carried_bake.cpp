@@ -26,10 +26,6 @@ std::vector<std::uint8_t> carried_flags(std::span<const VertexRun> runs, std::sp
 
 }  // namespace
 
-bool traces_all(const RenderOptions& options) {
-    return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
-}
-
 std::vector<std::uint8_t> carried_states(const SceneGeometry::Change& change,
                                          std::span<const std::uint8_t> before,
                                          std::span<const std::uint8_t> outdated, std::size_t vertices) {
@@ -82,10 +78,9 @@ Visibility SceneVisibility::bake_carried(BakeGeometry geometry, const SceneGeome
         missing[v] = (needed.flags.empty() || needed.flags[v] != 0) && states[v] == 0 ? 1 : 0;
     }
     std::vector<std::uint32_t> like;
-    // shares() takes it that vertices share in no coarser pixels than those of traced_edge_.
-    if (needed.pixel > 0 && traced_edge_ > 0 && !finest && !geometry.every_ray)
-        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing,
-                                                  std::min(needed.pixel, traced_edge_ / kPixelsOfEdge));
+    const double pixel = shared_pixel(needed.pixel);
+    if (pixel > 0 && !finest && !geometry.every_ray)
+        geometry.like = like = vertices_in_pixels(surfaces.geometry(), missing, pixel);
     const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
     const FormerBake former{.visibility = **baked_,
                             .kept = change.kept,

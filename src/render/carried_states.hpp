@@ -7,14 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "stage/options.hpp"
 #include "surfaces/scene_geometry.hpp"
 
 namespace nicol {
-
-/// Returns whether vertices are traced anew that a change hides no other light from. What bounces to a vertex
-/// changes with what hides the light from it, not only with how much does.
-[[nodiscard]] bool traces_all(const RenderOptions& options);
 
 /// Returns the state, as of baked_vertices(), that each vertex of changed surfaces had in the former bake.
 /// 0: it was not in it, or the change has moved it and more than shifted it. before: states in that bake;

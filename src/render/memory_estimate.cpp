@@ -70,12 +70,8 @@ std::optional<LightKind> distant_kind(const Scene& scene) {
 // refused by the render.
 int order_of(const Scene& scene, const RenderOptions& options) {
     int order = options.order_low;
-    if (bounces(options)) {
-        if (scene.distant_light() == nullptr)
-            order = std::max(order, kLocalBounceOrder);
-        else if (options.choose_orders)
-            order = std::max(order, kBounceOrder);
-    }
+    if (bounces(options))
+        order = order_with_bounces(order, scene.distant_light() != nullptr, options.choose_orders);
     return std::clamp(order, 0, kMaxRenderOrder);
 }
 

@@ -117,15 +117,13 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                      narrowest_in_harmonics(surfaces.geometry, seen_triangles_.update(surfaces), projection));
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
-    const int most_order = scene.distant_light() == nullptr ? kLocalBounceOrder : kBounceOrder;
+    const bool has_distant = scene.distant_light() != nullptr;
     LeastLight least;
     if (bounces > 0) {
         least = {.kind = given.components > 1 ? LightKind::linear : LightKind::unpolarized,
                  .channels = scene.channels()};
-        if (given.choose_orders || scene.distant_light() == nullptr) {
-            options.order_low = std::max(options.order_low, most_order);
-            options.order_high = std::max(options.order_high, options.order_low);
-        }
+        options.order_low = order_with_bounces(options.order_low, has_distant, given.choose_orders);
+        options.order_high = std::max(options.order_high, options.order_low);
     }
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
@@ -159,7 +157,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const bool apart =
         bounces > 0 && pixels_ && follows_rays && (smooth_.any() ? smooth_.mirrors() : !polarized);
     // If bounces stay apart, lamps alone leave no orders to direct light.
-    direct_layout_.emplace(apart && scene.distant_light() == nullptr ? 0 : light_.layout().order(),
+    direct_layout_.emplace(apart && !has_distant ? 0 : light_.layout().order(),
                            apart && !polarized ? LightKind::unpolarized : light_.layout().kind());
     TransferInput input{
         surfaces,
@@ -172,7 +170,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         follows_lobes,
         apart,
         bounces,
-        std::min(most_order, options.order_low),
+        std::min(highest_bounce_order(has_distant), options.order_low),
         light_.layout().kind(),
         options.tolerance / kBouncesOfTolerance,
         local_lights_.any() ? &local_lights_ : nullptr,

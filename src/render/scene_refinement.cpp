@@ -10,7 +10,6 @@
 
 #include "render/bake_inputs.hpp"
 #include "render/baked_vertices.hpp"
-#include "render/carried_states.hpp"
 #include "render/scene_visibility.hpp"
 #include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"

@@ -163,8 +163,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     refined_.reset();
     parts_.clear();
     numbers_ = {};
-    points_ = {};
-    points_bake_ = 0;
+    forget_points();
     baked_.change().reset();
     visible_.change().reset();
     shown_.show(nullptr);

@@ -102,10 +102,15 @@ private:
     /// Returns whether vertices and points that took what others in their pixel see keep it in images that
     /// need edges of this length.
     [[nodiscard]] bool shares(double edge) const;
+    /// Returns the pixel in which vertices may share what they see in an image of some pixels, so that
+    /// shares() stays true for images like those before.
+    [[nodiscard]] double shared_pixel(double pixel) const;
     /// Takes over that images need edges of this length.
     void come_nearer(double edge);
     /// Has all triangles refined, however small edges are in images.
     void refine_all();
+    /// Drops the points of the last refinement.
+    void forget_points();
     /// Bakes surfaces that a change has left in part, from the former bake: the vertices that images need.
     /// The others become outdated. needed: of the surfaces; its flags are used up.
     [[nodiscard]] Visibility bake_carried(BakeGeometry geometry, const SceneGeometry& surfaces,

@@ -3,6 +3,10 @@
 
 namespace nicol {
 
+bool traces_all(const RenderOptions& options) {
+    return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
+}
+
 std::vector<ShiftedObject> shifted_objects(const SceneGeometry::Change& change, bool every_ray) {
     std::vector<ShiftedObject> out;
     if (every_ray) return out;

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "geometry/welded_positions.hpp"
 #include "simd/lane_transpose.hpp"
 #include "surfaces/open_triangles.hpp"
 
@@ -78,26 +78,13 @@ bool is_empty(const WorldGeometry& geometry, std::span<const TriangleBatch> batc
     });
 }
 
-// Returns a number for each vertex of a range, equal for those at one place.
-std::vector<std::uint32_t> places_of(std::span<const glm::vec3> positions) {
-    std::vector<std::uint32_t> order(positions.size()), out(positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto place = [&](std::uint32_t i) {
-        return std::tuple(positions[i].x, positions[i].y, positions[i].z);
-    };
-    std::ranges::sort(order, {}, place);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        out[order[i]] = i > 0 && place(order[i]) == place(order[i - 1]) ? out[order[i - 1]] : order[i];
-    return out;
-}
-
 // Calls connect(side, triangle) for each side of a body's triangles, 3 triangle + corner, and the triangle
 // beyond it. Edges of other than two triangles, as they are at holes, connect none.
 template <class Connect>
 void for_neighbours(const WorldGeometry& geometry, std::span<const TriangleBatch> batches, std::size_t body,
                     const Connect& connect) {
     const VertexRange& range = geometry.ranges[body];
-    const std::vector<std::uint32_t> places = places_of(body_positions(geometry, range));
+    const std::vector<std::uint32_t> places = welded_positions(body_positions(geometry, range));
     struct Edge {
         std::uint32_t first, last;  // places, in ascending order
         std::uint32_t side;         // 3 triangle + corner

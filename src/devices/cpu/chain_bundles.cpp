@@ -148,6 +148,9 @@ void SmoothChains::begin_bundle(std::size_t count, LaneChains& out, Bundle& bund
 void SmoothChains::meet(std::span<LaneChains> levels, Bundle& bundle) const {
     LaneChains& chains = levels.front();
     const std::uint32_t traced = chains.active & ~chains.open;
+    const bool guesses = bundle.convex && chains.events < kGuessedEvents;
+    const std::span exits = guesses ? exits_of(chains.events, static_cast<std::size_t>(input_.hits.width()))
+                                    : std::span<std::uint32_t>();
     std::uint32_t sky = chains.active & chains.open;
     std::uint32_t met = 0;
     if (static_cast<std::size_t>(std::popcount(traced)) < kFewest) {
@@ -156,22 +159,18 @@ void SmoothChains::meet(std::span<LaneChains> levels, Bundle& bundle) const {
                   [&](std::size_t i) { bundle.chains.push_back(single(chains, i, kNoTriangle, bundle)); });
     } else {
         bundle.ends.rays += static_cast<std::uint64_t>(std::popcount(traced));
-        if (bundle.convex) met = leave(chains, traced, bundle);
+        if (guesses) met = leave(chains, traced, exits, bundle);
         if (traced != met) trace(chains, traced & ~met, met, sky, bundle);
     }
-    if (bundle.convex && chains.events < kGuessedEvents) {
-        const std::span exits = exits_of(chains.events, static_cast<std::size_t>(input_.hits.width()));
-        for_lanes(met, [&](std::size_t i) { exits[bundle.columns[i]] = chains.met[i]; });
-    }
+    if (guesses) for_lanes(met, [&](std::size_t i) { exits[bundle.columns[i]] = chains.met[i]; });
     absorb(chains, sky | met, met, bundle);
     if (sky != 0 && input_.sky != nullptr) add_sky(chains, sky, bundle);
     chains.active = met;
     if (met != 0 && chains.events != input_.smooth_events) pass(levels, bundle);
 }
 
-std::uint32_t SmoothChains::leave(LaneChains& chains, std::uint32_t some, const Bundle& bundle) const {
-    if (chains.events >= kGuessedEvents) return 0;
-    const std::span exits = exits_of(chains.events, static_cast<std::size_t>(input_.hits.width()));
+std::uint32_t SmoothChains::leave(LaneChains& chains, std::uint32_t some,
+                                  std::span<const std::uint32_t> exits, const Bundle& bundle) const {
     std::uint32_t guessed = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const std::uint32_t exit = exits[bundle.columns[i]];

@@ -126,8 +126,10 @@ private:
     /// Finds what the rays of levels.front() meet, and goes on from the boundary. The other levels are room.
     void meet(std::span<LaneChains> levels, Bundle& bundle) const;
     /// Finds the chains whose rays leave the bundle's body, which is convex, where rays of nearby samples
-    /// left it. Sets what they meet, and returns their bits.
-    [[nodiscard]] std::uint32_t leave(LaneChains& chains, std::uint32_t some, const Bundle& bundle) const;
+    /// left it. Sets what they meet, and returns their bits. exits: the triangles at which those left, by
+    /// columns of pixels.
+    [[nodiscard]] std::uint32_t leave(LaneChains& chains, std::uint32_t some,
+                                      std::span<const std::uint32_t> exits, const Bundle& bundle) const;
     /// Traces the rays of some chains. Adds those that meet the boundary to `met`, whose triangles are then
     /// set, and those that meet nothing to `sky`. The others leave the bundle.
     void trace(LaneChains& chains, std::uint32_t some, std::uint32_t& met, std::uint32_t& sky,
