@@ -8,8 +8,10 @@ cd "$(dirname "$0")/.."
 folder=${1:-build/shaders}
 
 count=0
-# Ours begin with the name of their file; others are those of tests.
-for file in $(grep -l '^//@ 0 ' "$folder"/*.glsl); do
+for file in "$folder"/*.glsl; do
+    # Ours begin with the name of their file in glsl/; others, some of them with mistakes, are those of tests.
+    name=$(sed -n '1s|^//@ 0 ||p' "$file")
+    [ -n "$name" ] && [ -f "glsl/$name" ] || continue
     case ${file##*/} in
     VS_*) stage=vert ;;
     FS_*) stage=frag ;;
