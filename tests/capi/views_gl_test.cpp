@@ -10,15 +10,16 @@ using namespace capi_test;
 
 namespace {
 
-/// Balls on a floor, and cameras around them with framebuffers of different sizes.
+/// Bodies on a floor, and cameras around them with framebuffers of different sizes.
 struct Ring {
-    explicit Ring(nicol_context owner) : context(owner), scene(empty_scene(context)) {
+    explicit Ring(nicol_context owner, nicol_mesh (*shape)(nicol_context) = cube)
+        : context(owner), scene(empty_scene(context)) {
         const Owned light(clear_sky(context, {1, 1, 0}));
         OK(nicol_scene_set_environment(scene, light, nullptr, 1));
         const Owned grey(diffuse(context, {0.5F, 0.4F, 0.3F}));
-        const Owned floor(rectangle(context)), ball(sphere(context));
+        const Owned floor(rectangle(context)), body(shape(context));
         add(scene, floor, grey, {{3, 0, 0, 0, 0, 0, 3, -0.5, 0, -3, 0, 0, 0, 0, 0, 1}});
-        for (const double x : {-0.6, 0.6}) add(scene, ball, grey, placed(x, 0, 0, 0.4));
+        for (const double x : {-0.6, 0.6}) add(scene, body, grey, placed(x, 0, 0, 0.4));
         for (std::uint32_t i = 0; i < 3; ++i) {
             cameras.push_back(camera_at({3.0 * i - 3, 1, 3.0 - i}));
             framebuffers.emplace_back(framebuffer_of(context, 24 + 8 * i, 16, i == 1 ? 1 : 3));
@@ -71,7 +72,7 @@ CONTEXT_TEST_CASE("views in one call are those of single renders, and bake once"
 }
 
 CONTEXT_TEST_CASE("the first view bakes what all need") {
-    const Ring together(context), apart(context);
+    const Ring together(context, sphere), apart(context, sphere);
     const nicol_render_options options = with_shadows();
     OK(together.render(options));
     std::uint64_t rays_apart = 0;

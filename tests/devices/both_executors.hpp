@@ -32,6 +32,7 @@ struct BothExecutors {
              bool texels = false) {
         options.bake_directions = 256;
         options.light_samples = 4;
+        options.refine_tolerance = 0.1;
         // Threads find what samples show by rays, and refine less than shaders, which draw it.
         options.disabled_optimisations |= skip_rays;
         options.executor = Executor::cpu;

@@ -28,6 +28,8 @@ std::vector<float> images(nicol_context context, GLuint texture, GLuint depth) {
     nicol_render_options options = plain_options();
     options.shade_at = NICOL_SHADE_AT_PIXELS;
     options.aovs = NICOL_AOV_DEPTH;
+    options.order_low = 1;
+    options.order_high = 3;
     for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
         options.executor = executor;
         const std::vector<float> image = stage.image(options);

@@ -102,7 +102,7 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
             if (format.read(context, path.c_str(), expected) != NICOL_OK) continue;
             ++read;
             sweep(
-                300, [&] { return format.read(context, path.c_str(), found); },
+                100, [&] { return format.read(context, path.c_str(), found); },
                 [&](nicol_result result) {
                     if (result == NICOL_OK) CHECK(found == expected);
                 });

@@ -27,9 +27,9 @@ RenderOptions options_with(std::uint32_t disabled) {
             .disabled_optimisations = disabled};
 }
 
-/// Returns a fine sphere with bumps that shadow each other.
-std::shared_ptr<const Mesh> bumpy_sphere() {
-    Mesh mesh = make_sphere();
+/// Returns a sphere with bumps that shadow each other; detail: of make_sphere().
+std::shared_ptr<const Mesh> bumpy_sphere(double detail = 1) {
+    Mesh mesh = make_sphere({}, 1, detail);
     for (glm::vec3& p : mesh.positions)
         p *= 1 + 0.1F * std::sin(9 * p.x) * std::sin(11 * p.y) * std::sin(10 * p.z);
     mesh.normals.clear();
@@ -96,7 +96,7 @@ IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced"
 }
 
 IMAGE_TEST_CASE("what a further view shows is baked with it, and all the rest once a camera goes on moving") {
-    const Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    const Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
     const Camera front = camera_at({0, 1, 4}), beside = camera_at({0.1, 1, 4}), back = camera_at({0, 1, -4}),
                  away = camera_at({0, 1, 4}, {0, 1, 9});
     Studio studio(context), tracing(context);
@@ -158,7 +158,7 @@ IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes neare
 }
 
 IMAGE_TEST_CASE("bounced light and mirrors need all vertices") {
-    Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
     const Camera camera = camera_at({0, 1, 4});
     Studio studio(context);
     RenderOptions bouncing = options_with(0);
@@ -195,7 +195,7 @@ IMAGE_TEST_CASE("vertices that no image needs follow changes of the scene once o
     const Camera front = camera_at({0, 1, 4}), back = camera_at({0, 1, -4});
     for (const auto& each : cases) {
         CAPTURE(each.name);
-        Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+        Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
         const auto id =
             scene.add({.mesh = test::coarse_sphere(12), .material = diffuse({0.5}), .to_world = each.from});
         Studio studio(context), tracing(context);
@@ -219,7 +219,7 @@ IMAGE_TEST_CASE("vertices that no image needs follow changes of the scene once o
 }
 
 IMAGE_TEST_CASE("a series of changes and views leaves the image of a fresh start") {
-    Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
     scene.add({.mesh = test::rectangle(32), .material = diffuse({0.5}), .to_world = test::plate_at(-1.2, 3)});
     const auto ball = test::fine_sphere();
     std::vector<std::uint32_t> balls;
@@ -251,7 +251,7 @@ IMAGE_TEST_CASE("a series of changes and views leaves the image of a fresh start
 }
 
 IMAGE_TEST_CASE("a far view leaves no coarse shadows to nearer ones") {
-    const auto bumpy = bumpy_sphere();
+    const auto bumpy = bumpy_sphere(0.5);
     // Distances stay about the same, so that what the first near view has traced suffices.
     const Camera near = camera_at({0, 1, 4}), near_back = camera_at({0, 1, -4}),
                  far = camera_at({0, 2.5, 40}), far_back = camera_at({0, 2.5, -40});

@@ -134,7 +134,7 @@ TEST_CASE("near things hide far ones whatever the order, and darkness is black")
 TEST_CASE("what needs no work is counted, and another image or framebuffer is drawn") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     Scene scene;
-    scene.add({.mesh = test::fine_sphere(), .material = pplastic({})});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()), .material = pplastic({})});
     scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1.0), 1);
     Framebuffer target(context, width, height, 3);
     Renderer renderer(context);

@@ -54,7 +54,7 @@ IMAGE_TEST_CASE("brushed and nearly smooth surfaces are as by rays") {
                 {"brushed plastic", pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.05, .alpha_v = 0.3}),
                  0.04, 1.5},
                 {"principled", principled({.roughness = 0.4, .anisotropic = 0.9, .metallic = 1}), 0.05, 1.6}};
-    test::Studio studio(context, 72, 54);
+    test::Studio studio(context, 48, 36);
     Camera camera = test::camera_at({1, 1, 4});
     camera.fov = 24;
     // Unpolarized light skips code that polarized light runs, so one material tests it.

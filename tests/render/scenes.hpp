@@ -23,8 +23,9 @@ inline std::shared_ptr<const Mesh> coarse_sphere(int cells) {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+/// Returns a sphere of 3,612 vertices.
 inline std::shared_ptr<const Mesh> fine_sphere() {
-    static const auto mesh = std::make_shared<const Mesh>(make_sphere());
+    static const auto mesh = std::make_shared<const Mesh>(make_sphere({}, 1, 0.5));
     return mesh;
 }
 
