@@ -3,6 +3,7 @@
 #include "files/file_error.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/mesh_format.hpp"
+#include "geometry/sdf_grid.hpp"
 
 namespace nicol {
 
@@ -17,6 +18,10 @@ Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const
 
 Mesh load_curves(const std::filesystem::path& file, CurveKind /*kind*/, const glm::dmat3& /*axes*/,
                  const LoadBudget& /*budget*/) {
+    refuse_left_out_format(file, "mesh files", "NICOL_MESH_FILES");
+}
+
+Mesh load_sdf_grid(const std::filesystem::path& file, SdfNormals /*normals*/, const LoadBudget& /*budget*/) {
     refuse_left_out_format(file, "mesh files", "NICOL_MESH_FILES");
 }
 

@@ -130,6 +130,10 @@ Mesh make(const ShapeDescription& d, double detail, const MeshColorNames& colors
             });
             break;
         }
+        case ShapeDescription::Kind::sdf_grid:
+            mesh = files.read(d.filename,
+                              [&] { return load_sdf_grid(d.filename, d.sdf_normals, files.budget()); });
+            break;
         default:
             mesh = files.read(d.filename, [&] {
                 return load_mesh(
@@ -231,6 +235,7 @@ public:
                       d.filename,
                       d.index,
                       {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius, detail},
+                      d.sdf_normals,
                       d.face_normals,
                       d.flip_normals,
                       d.flip_tex_coords,
@@ -242,7 +247,7 @@ public:
 
 private:
     using Key = std::tuple<ShapeDescription::Kind, std::array<double, 9>, std::filesystem::path, std::size_t,
-                           std::array<double, 5>, bool, bool, bool, MeshColorNames>;
+                           std::array<double, 5>, SdfNormals, bool, bool, bool, MeshColorNames>;
     PrimitiveDetail detail_;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;

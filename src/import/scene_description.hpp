@@ -18,6 +18,7 @@
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/sdf_grid.hpp"
 #include "image/reconstruction_filter.hpp"
 #include "import/color_description.hpp"
 #include "import/material_description.hpp"
@@ -69,16 +70,28 @@ struct EmissionDescription {
 };
 
 struct ShapeDescription {
-    enum class Kind { file, sphere, rectangle, cube, disk, cylinder, linear_curve, bspline_curve, mesh };
+    enum class Kind {
+        file,
+        sphere,
+        rectangle,
+        cube,
+        disk,
+        cylinder,
+        linear_curve,
+        bspline_curve,
+        sdf_grid,
+        mesh
+    };
     Kind kind = Kind::file;
     std::string id;  ///< of an instance, its own; empty when the file gives none
     std::filesystem::path
-        filename;            ///< file: of any format that load_mesh() reads; curves: see load_curves()
+        filename;  ///< file: of any format that load_mesh() reads; others: see load_curves(), load_sdf_grid()
     std::size_t index = 0;   ///< file: of its meshes, where the format holds several
     glm::dvec3 center{0.0};  ///< sphere
     double radius = 1.0;     ///< sphere, cylinder
     int segments = 0;        ///< sphere: see make_sphere(); 0: by its size in the picture
-    glm::dvec3 p0{0.0};      ///< cylinder: the ends of its axis
+    SdfNormals sdf_normals = SdfNormals::smooth;  ///< SDF grid
+    glm::dvec3 p0{0.0};                           ///< cylinder: the ends of its axis
     glm::dvec3 p1{0.0, 0.0, 1.0};
     std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
     bool flip_normals = false;

@@ -26,7 +26,8 @@ constexpr std::array kKindNames = {KindName{"sphere", ShapeKind::sphere},
                                    KindName{"disk", ShapeKind::disk},
                                    KindName{"cylinder", ShapeKind::cylinder},
                                    KindName{"linearcurve", ShapeKind::linear_curve},
-                                   KindName{"bsplinecurve", ShapeKind::bspline_curve}};
+                                   KindName{"bsplinecurve", ShapeKind::bspline_curve},
+                                   KindName{"sdfgrid", ShapeKind::sdf_grid}};
 
 ShapeKind kind_of(const Plugin& plugin) {
     if (mesh_format_named(plugin.type()) != nullptr) return ShapeKind::file;
@@ -58,6 +59,14 @@ void read_segments(Plugin& plugin, ShapeDescription& shape) {
         plugin.fail("segments", "is " + std::to_string(shape.segments) + "; expected an even number");
 }
 
+void read_sdf_grid(Plugin& plugin, ShapeDescription& shape) {
+    shape.filename = plugin.filename("filename");
+    const std::string normals = plugin.string("normals", "smooth");
+    if (normals != "smooth" && normals != "analytic")
+        plugin.fail("normals", "is " + in_quotes(normals) + "; expected smooth or analytic");
+    if (normals == "analytic") shape.sdf_normals = SdfNormals::analytic;
+}
+
 }  // namespace
 
 ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
@@ -79,6 +88,8 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
     } else if (shape.kind == ShapeKind::linear_curve || shape.kind == ShapeKind::bspline_curve) {
         shape.filename = plugin.filename("filename");
+    } else if (shape.kind == ShapeKind::sdf_grid) {
+        read_sdf_grid(plugin, shape);
     }
     for (const std::string& name : plugin.texture_names()) {
         if (!name.starts_with(kVertexPrefix) && !name.starts_with(kFacePrefix)) continue;

@@ -91,7 +91,7 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("\n<shape type='hair'/>",
                 {":3: shape \"hair\"", mesh_format_names() +
                                            ", sphere, rectangle, cube, disk, cylinder, linearcurve, "
-                                           "bsplinecurve, shapegroup, instance, merge"});
+                                           "bsplinecurve, sdfgrid, shapegroup, instance, merge"});
     unsupported("<bsdf type='hair'/>", {":2: bsdf \"hair\"", "pplastic, plastic, ", ", psh, twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='prb'/></integrator>", {"\"prb\""});

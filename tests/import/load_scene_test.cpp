@@ -273,6 +273,28 @@ TEST_CASE("what takes more than its limits is refused, and the option is named")
                     file.path().string());
 }
 
+TEST_CASE("a grid of distances of a scene file becomes its surface, with the normals that the shape names") {
+    const auto grid = [](const std::string& more) {
+        return "<shape type='sdfgrid'><string name='filename' value='a.vol'/>" + more + "</shape>";
+    };
+    const std::string analytic = "<string name='normals' value='analytic'/>";
+    const SceneFile file(scene(a_sensor + an_emitter + grid("") + grid(analytic) + grid("")));
+    // Distances from the plane z = 0.25.
+    std::string bytes("VOL\x03\1\0\0\0\2\0\0\0\2\0\0\0\2\0\0\0\1\0\0\0", 24);
+    bytes.resize(48);
+    for (const float value : {-0.25F, 0.75F})
+        for (int i = 0; i < 4; ++i) bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    file.write("a.vol", bytes);
+    const LoadedScene loaded = load_scene(file.scene(), {});
+    REQUIRE(loaded.scene.instances().size() == 3);
+    const auto mesh = [&](std::size_t i) { return loaded.scene.instances()[i].mesh; };
+    for (const glm::vec3& position : mesh(0)->positions) CHECK(position.z == 0.25F);
+    CHECK(mesh(1) != mesh(0));
+    CHECK(mesh(2) == mesh(0));
+    check_refused(SceneFile(scene(a_sensor + grid("<string name='normals' value='flat'/>"))),
+                  ErrorCode::invalid_file, "", {"normals", "\"flat\"", "smooth or analytic"});
+}
+
 TEST_CASE("curves of a scene file become tubes, and the case of a shape's name does not matter") {
     const SceneFile file(scene(a_sensor + an_emitter +
                                "<shape type='Sphere'/>"
