@@ -98,12 +98,6 @@ const SmoothBoundary* body_before(const SmoothBoundary& boundary, const Boundary
     return body_before(boundary, split.inside, &part == &split.reflected, around);
 }
 
-const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside, bool reflects,
-                                  const SmoothBoundary* around) {
-    if (boundary.behind == SmoothBoundary::Behind::slab) return around;
-    return inside == reflects ? &boundary : nullptr;
-}
-
 double transmitted_by(const SmoothBoundary* body, int channel, double distance) {
     if (body == nullptr) return 1;
     const double absorption = of_channel(body->absorption, channel);

@@ -60,8 +60,11 @@ struct ViewedSide {
                                                 const BoundaryPart& part, const SmoothBoundary* around);
 
 /// The same for the light that a boundary reflects or transmits. inside: whether its viewer is on the inside.
-[[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside, bool reflects,
-                                                const SmoothBoundary* around);
+[[nodiscard]] inline const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside,
+                                                       bool reflects, const SmoothBoundary* around) {
+    if (boundary.behind == SmoothBoundary::Behind::slab) return around;
+    return inside == reflects ? &boundary : nullptr;
+}
 
 /// Returns the fraction of a channel's light that a body transmits over a distance, which may be infinite.
 /// body: null for none.

@@ -83,27 +83,46 @@ template <class Number>
     return times(root, nearest_orthogonal(times(turned, near)));
 }
 
+/// Cosine and sine of the rotation of with_orthogonal_columns(). of_longer, of_shorter: squared lengths of
+/// the columns. product: their scalar product.
+template <class Number>
+[[gnu::always_inline]] inline Vector2<Number> rotation_of_columns(const Number& of_longer,
+                                                                  const Number& of_shorter,
+                                                                  const Number& product) {
+    constexpr float almost = 0.02F;
+    // Cosine and sine of twice the angle of the rotation.
+    const Vector3<Number> twice = normalized_or(
+        Vector3<Number>{of_longer - of_shorter + almost * (of_longer + of_shorter), 2.0F * product, Number{}},
+        0.0F, Vector3<float>{1, 0, 0});
+    Number cosine = 0.5F + 0.5F * twice.x;
+    square_root(cosine);
+    return {cosine, 0.5F * twice.y / cosine};
+}
+
+/// Computes the squared length of the first column of with_orthogonal_columns().
+template <class Number>
+[[gnu::always_inline]] inline void longer_column(const Number& of_first, const Number& of_second,
+                                                 const Number& product, Number& out) {
+    const Number of_longer = of_first < of_second ? of_second : of_first;
+    const Number of_shorter = of_first < of_second ? of_first : of_second;
+    const Vector2<Number> by = rotation_of_columns(of_longer, of_shorter, product);
+    out = by.x * by.x * of_longer + by.y * (2.0F * by.x * product + by.y * of_shorter);
+}
+
 /// Returns a matrix times the rotation that makes the columns orthogonal and the first one longer, which
 /// keeps the product with the transpose. Columns of almost the same length that are almost orthogonal keep
 /// their directions, because rounding errors would decide between the rotations.
 template <class Number>
 [[gnu::always_inline]] inline Matrix2<Number> with_orthogonal_columns(const Matrix2<Number>& m) {
-    constexpr float almost = 0.02F;
     const Number of_first = m.first.x * m.first.x + m.first.y * m.first.y;
     const Number of_second = m.second.x * m.second.x + m.second.y * m.second.y;
     const Matrix2<Number> sorted = choose(of_first < of_second, Matrix2<Number>{m.second, m.first}, m);
-    const Number difference = of_first < of_second ? of_second - of_first : of_first - of_second;
+    const Number of_longer = of_first < of_second ? of_second : of_first;
+    const Number of_shorter = of_first < of_second ? of_first : of_second;
     const Number product = m.first.x * m.second.x + m.first.y * m.second.y;
-    // Cosine and sine of twice the angle of the rotation.
-    const Vector3<Number> twice =
-        normalized_or(Vector3<Number>{difference + almost * (of_first + of_second), 2.0F * product, Number{}},
-                      0.0F, Vector3<float>{1, 0, 0});
-    Number cosine = 0.5F + 0.5F * twice.x;
-    square_root(cosine);
-    const Number sine = 0.5F * twice.y / cosine;
-    return {
-        {cosine * sorted.first.x + sine * sorted.second.x, cosine * sorted.first.y + sine * sorted.second.y},
-        {cosine * sorted.second.x - sine * sorted.first.x, cosine * sorted.second.y - sine * sorted.first.y}};
+    const Vector2<Number> by = rotation_of_columns(of_longer, of_shorter, product);
+    return {{by.x * sorted.first.x + by.y * sorted.second.x, by.x * sorted.first.y + by.y * sorted.second.y},
+            {by.x * sorted.second.x - by.y * sorted.first.x, by.x * sorted.second.y - by.y * sorted.first.y}};
 }
 
 }  // namespace nicol

@@ -137,17 +137,22 @@ std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& no
 void LitBatch::look_up_mirrored(const SampledEnvironment& environment) {
     thread_local std::vector<std::array<Lanes, 4>> sums;
     const LaneFrames frames = environment.in_environment(reflected_.frames());
-    const ReflectedNodes nodes(environment.grids(), kResolved * environment.narrowest(),
-                               reflected_.towards_viewer(), pixels_);
-    sums.clear();
-    for (std::size_t k = 0; k < nodes.count(); ++k) {
-        environment.look_up(true, frames, nodes.node(k), light_);
-        sums.resize(light_.irradiance.size(), {});
-        for (std::size_t c = 0; c < sums.size(); ++c)
-            for (std::size_t p = 0; p < light_.components; ++p)
-                for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
+    const float narrowest = kResolved * environment.narrowest();
+    ReflectedNode node;
+    if (mirror_node(narrowest, reflected_.towards_viewer(), pixels_, node)) {
+        environment.look_up(true, frames, node, light_);
+    } else {
+        const ReflectedNodes nodes(environment.grids(), narrowest, reflected_.towards_viewer(), pixels_);
+        sums.clear();
+        for (std::size_t k = 0; k < nodes.count(); ++k) {
+            environment.look_up(true, frames, nodes.node(k), light_);
+            sums.resize(light_.irradiance.size(), {});
+            for (std::size_t c = 0; c < sums.size(); ++c)
+                for (std::size_t p = 0; p < light_.components; ++p)
+                    for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
+        }
+        std::ranges::copy(sums, light_.irradiance.begin());
     }
-    std::ranges::copy(sums, light_.irradiance.begin());
     out_of_frames(reflected_.frames(), light_.towards, light_.towards);
     if (light_.components > 1) out_of_frames(reflected_.frames(), light_.x, light_.x);
 }

@@ -8,6 +8,7 @@
 #include "material/microfacet.hpp"
 #include "shading/lane_frames.hpp"
 #include "shading/lane_matrix.hpp"
+#include "simd/all_lanes.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -136,7 +137,45 @@ template <class Number>
     square_root(out);
 }
 
+// Computes the node that ReflectedNodes has of mirrors with one node. narrow: whether that one suffices.
+template <class Number>
+[[gnu::always_inline]] inline void find_mirrored(float narrowest, const LaneVectors& towards_viewer,
+                                                 const MirroredPixels& pixels, ReflectedNode& out,
+                                                 bool& narrow) {
+    const float most = std::min(narrowest, kWidest);
+    narrow = true;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> viewer, right, down, shift;
+        load_part(towards_viewer, first, viewer);
+        load_part(pixels.steps[0], first, right);
+        load_part(pixels.steps[1], first, down);
+        load_part(pixels.shift, first, shift);
+        Number of_right, of_down, product;
+        dot(right, right, of_right);
+        dot(down, down, of_down);
+        dot(right, down, product);
+        Number longer;
+        longer_column(of_right, of_down, product, longer);
+        const Number variance = (1 / 12.0F) * longer;  // of an even distribution along the longer side
+        narrow = narrow && all_lanes(variance <= most * most);
+        store_part(variance, first, out.variances);
+        const Vector3<Number> towards{-viewer.x, -viewer.y, viewer.z};
+        store_part(towards, first, out.towards);
+        store_part(Vector3<Number>{towards.x + shift.x, towards.y + shift.y, towards.z + shift.z}, first,
+                   out.seen);
+        store_part(Number{} + 1.0F, first, out.weights);
+    }
+}
+
 }  // namespace
+
+bool mirror_node(float narrowest, const LaneVectors& towards_viewer, const MirroredPixels& pixels,
+                 ReflectedNode& out) {
+    bool narrow;
+    dispatch<find_mirrored<FourLanes>, find_mirrored<EightLanes>, find_mirrored<AllLanes>>(
+        narrowest, towards_viewer, pixels, out, narrow);
+    return narrow;
+}
 
 std::span<const SlopePart> slope_parts(Distribution distribution) {
     if (distribution == Distribution::ggx) return kGgx;
@@ -225,7 +264,8 @@ template <class Number>
         for (std::size_t g = 0; g < grids.normal().size(); ++g) {
             const NodeGrid& normal = grids.normal()[g];
             const NodeGrid& uniform = grids.uniform()[g];  // of as many nodes
-            if (g > 0 && normal.size() > limits.nodes) break;
+            // Points whose blobs are narrow enough keep them.
+            if (g > 0 && (normal.size() > limits.nodes || all_lanes(blob <= enough))) break;
             const Number wide_x =
                 longer * (lobe_is_wider ? Number{} + normal.blob_x : Number{} + uniform.blob_x);
             const Number wide_y =

@@ -57,6 +57,11 @@ struct ReflectedNode {
     Lanes weights;        ///< solid angles: factors of the pBRDF times the cosine times the light
 };
 
+/// Computes the one node of mirrors whose pixels show no more than the narrowest blobs do. narrowest: see
+/// ReflectedNodes. Returns false if a point needs several nodes; `out` is undefined then.
+[[nodiscard]] bool mirror_node(float narrowest, const LaneVectors& towards_viewer,
+                               const MirroredPixels& pixels, ReflectedNode& out);
+
 /// Two neighbouring nodes for which the pBRDF is evaluated once, in the direction of PairDirection.
 struct ReflectedPair {
     std::array<ReflectedNode, 2> nodes;  ///< the weights still lack PairDirection::factors

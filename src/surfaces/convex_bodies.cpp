@@ -183,13 +183,16 @@ std::uint32_t ConvexBodies::leave(std::size_t range, const LaneVectors& origins,
                                   std::array<std::uint32_t, kLanes>& triangles, LaneTriangles& at,
                                   LaneMeetings& out) const {
     static_assert(sizeof(LaneTriangles) == std::tuple_size_v<decltype(Triangle::row)> * sizeof(Lanes));
+    // As many numbers as lanes are exchanged in registers: the positions, and most of the normals.
+    constexpr std::size_t rest = std::tuple_size_v<decltype(Triangle::row)> - kLanes;
     const Body& body = bodies_[range];
     std::array<const float*, kLanes> rows;
+    Lanes* const lanes = &at.corners.front().x;
     std::uint32_t met = 0;
     for (int step = 1;; ++step) {
         for (std::size_t i = 0; i < kLanes; ++i)
             rows[i] = body.triangles[triangles[i] - body.first].row.data();
-        to_lanes(rows, 9, &at.corners.front().x);
+        to_lanes(rows, kLanes, lanes);
         meet_planes(origins, directions, at, out);
         met = 0;
         bool walks = false;
@@ -207,8 +210,8 @@ std::uint32_t ConvexBodies::leave(std::size_t range, const LaneVectors& origins,
         }
         if (!walks) break;
     }
-    for (const float*& row : rows) row += 9;
-    to_lanes(rows, 9, &at.normals.front().x);
+    for (const float*& row : rows) row += kLanes;
+    to_lanes(rows, rest, lanes + kLanes);
     return met;
 }
 

@@ -224,3 +224,37 @@ TEST_CASE("the axes of the surface say nothing about a round lobe that is seen a
         CHECK(most < 1.02 * least);
     }
 }
+
+TEST_CASE("the one node of a mirror's narrow pixels is the node that all of them together have") {
+    const NodeGrids grids(32);
+    constexpr float narrowest = 0.01F;
+    for (const double stretch : {0.0, 0.2, 1.0, 5.0}) {
+        CAPTURE(stretch);
+        LaneVectors viewers;
+        MirroredPixels pixels;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const auto number = static_cast<double>(i);
+            const glm::dvec3 viewer = direction(0.08 * number, 0.7 * number);
+            const Frame axes = frame_with_x({-viewer.x, -viewer.y, viewer.z}, {0.1, 0.2, 1});
+            const double size = 0.02 * number / (kLanes * std::max(1.0, stretch));
+            put(viewers, i, glm::vec3(viewer));
+            put(pixels.shift, i, glm::vec3(size * axes[0]));
+            put(pixels.steps[0], i,
+                glm::vec3(size * (axes[0] + 0.3 * number * axes[1]) / (1 + 0.3 * number)));
+            put(pixels.steps[1], i, glm::vec3(size * stretch * (axes[1] - 0.2 * axes[0])));
+        }
+        ReflectedNode one;
+        REQUIRE(mirror_node(narrowest, viewers, pixels, one));
+        const ReflectedNodes nodes(grids, narrowest, viewers, pixels);
+        REQUIRE(nodes.count() == 1);
+        const ReflectedNode of_all = nodes.node(0);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            CHECK(glm::distance(lane(one.towards, i), lane(of_all.towards, i)) < 1e-6);
+            CHECK(glm::distance(lane(one.seen, i), lane(of_all.seen, i)) < 1e-6);
+            CHECK(std::abs(one.variances[i] - of_all.variances[i]) <= 1e-3F * of_all.variances[i]);
+            CHECK(one.weights[i] == of_all.weights[i]);
+        }
+        put(pixels.steps[1], 5, glm::vec3(0, 0.04F, 0));
+        CHECK_FALSE(mirror_node(narrowest, viewers, pixels, one));
+    }
+}
