@@ -99,7 +99,7 @@ public:
     }
 
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
-    [[nodiscard]] glm::dvec3 cells() const { return glm::dvec3(size_ - 1); }
+    [[nodiscard]] glm::dvec3 cells() const { return size_ - 1; }
     [[nodiscard]] std::size_t index(const glm::ivec3& at) const {
         const auto x = static_cast<std::size_t>(size_.x), y = static_cast<std::size_t>(size_.y);
         return (static_cast<std::size_t>(at.z) * y + static_cast<std::size_t>(at.y)) * x +
@@ -111,7 +111,8 @@ public:
         return out;
     }
     [[nodiscard]] static glm::ivec3 corner(std::size_t number) {
-        return glm::ivec3(number & 1U, number >> 1U & 1U, number >> 2U & 1U);
+        const auto bits = static_cast<int>(number);
+        return {bits & 1, bits >> 1 & 1, bits >> 2 & 1};
     }
 
     /// Returns the normal that blends the gradients of the eight cells around the nearest point of the grid
