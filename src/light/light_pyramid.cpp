@@ -153,9 +153,10 @@ template <class Number>
 
 }  // namespace
 
-LightPyramid::LightPyramid(const Environment& environment, int most_columns)
+LightPyramid::LightPyramid(const Environment& environment, int most_columns, Kept kept)
     : channels_(static_cast<std::size_t>(environment.channels())),
-      components_(environment.circular()    ? 4
+      components_(kept == Kept::radiance    ? 1
+                  : environment.circular()  ? 4
                   : environment.polarized() ? 3
                                             : 1),
       planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4),

@@ -16,8 +16,12 @@ namespace nicol {
 /// the one before. Immutable; threads share it.
 class LightPyramid {
 public:
-    /// most_columns: of an image that is blurred; wider ones are averaged first.
-    explicit LightPyramid(const Environment& environment, int most_columns = 1024);
+    /// Components of the environment's light that are kept.
+    enum class Kept { stokes, radiance };
+
+    /// most_columns: of an image that is blurred; wider ones are averaged first. kept: radiance alone makes
+    /// the light unpolarized.
+    explicit LightPyramid(const Environment& environment, int most_columns = 1024, Kept kept = Kept::stokes);
 
     /// Computes the mean radiance in blobs around the directions `out.towards`, of any length and in the
     /// environment's axes: out.irradiance, out.components and, of polarized light, out.x. variances: of the

@@ -126,9 +126,13 @@ Lanes InterpolationError::reflected(const Reflections& reflections, const LaneVe
     return out;
 }
 
+void InterpolationError::filter(const EnvironmentPtr& light) {
+    filtering_.run(light, [&] { light_.emplace(*light, kColumns, LightPyramid::Kept::radiance); });
+}
+
 void InterpolationError::prepare(const Scene& scene, const EnvironmentPtr& light) {
     if (light == nullptr) return;
-    filtering_.run(light, [&] { light_.emplace(*light, kColumns); });
+    filter(light);
     for (const Instance& instance : scene.instances()) {
         const auto [known, fresh] = reflections_.try_emplace(instance.material);
         if (fresh) known->second = reflections(*instance.material);
@@ -139,7 +143,7 @@ double InterpolationError::of(const WorldGeometry& geometry, const SeenTriangles
                               const Projection& projection, const EnvironmentPtr& light,
                               const glm::dmat3& to_light) {
     if (light == nullptr) return 0;
-    filtering_.run(light, [&] { light_.emplace(*light, kColumns); });
+    filter(light);
     if (reflections_.size() > geometry.ranges.size()) reflections_.clear();  // drops former materials
 
     const Viewpoint& view = projection.view;

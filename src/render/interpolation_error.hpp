@@ -49,6 +49,7 @@ private:
     using Reflections = std::vector<Reflection>;
 
     [[nodiscard]] static Reflections reflections(const Material& material);
+    void filter(const EnvironmentPtr& light);
     // Returns the reflected s0 at places with unit normals and unit vectors towards the viewer.
     [[nodiscard]] Lanes reflected(const Reflections& reflections, const LaneVectors& normals,
                                   const LaneVectors& viewers, const glm::mat3& to_light);

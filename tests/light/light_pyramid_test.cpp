@@ -137,6 +137,33 @@ TEST_CASE("larger blobs see the mean") {
     }
 }
 
+TEST_CASE("radiance alone is that of all components") {
+    std::vector<glm::dvec3> directions = random_directions(16, 7);
+    directions[0] = {0, -1, 0};
+    for (const int channels : {1, 3, 5}) {
+        const auto light = image_environment(random_image(128, 65, channels, 4, true));
+        const LightPyramid alone(*light, 64, LightPyramid::Kept::radiance), all(*light, 64);
+        CHECK(!alone.polarized());
+        for (const float variance : {1e-9F, 0.002F, 0.01F, 0.1F}) {
+            CAPTURES(channels, variance);
+            LaneLight found, of_all;
+            for (std::size_t i = 0; i < kLanes; ++i) put(found.towards, i, glm::vec3(directions[i]));
+            of_all.towards = found.towards;
+            Lanes variances;
+            variances.value.fill(variance);
+            alone.look_up(variances, found);
+            all.look_up(variances, of_all);
+            REQUIRE(found.components == 1);
+            // Its images of wide blobs have fewer texels.
+            const double tolerance = variance < 0.02F ? 1e-5 : 0.01;
+            for (std::size_t c = 0; c < found.irradiance.size(); ++c)
+                for (std::size_t i = 0; i < kLanes; ++i)
+                    CHECK(found.irradiance[c][0][i] ==
+                          doctest::Approx(of_all.irradiance[c][0][i]).epsilon(tolerance));
+        }
+    }
+}
+
 TEST_CASE("the light of a blob leans to where it comes from") {
     for (const int channels : {1, 5}) {
         EquirectImage image(128, 65, channels);
