@@ -89,16 +89,20 @@ public:
     // Perturbs the normals.
     void turn(LaneVectors& turned) const { turn_at(points, turned); }
 
-    // Finds the perturbed normals of the samples' parts.
-    void find_parts(LaneSurface& surface) const {
+    // Finds the perturbed normals of the parts of up to sixteen points.
+    void find_parts(std::span<const PixelPoint> of, LaneSurface& surface) const {
         constexpr std::size_t across = LaneSurface::kPartsAcross;
         TexturePoints here = points;
         find_footprints(steps_, axes, towards_viewer, here);
         const Projection& projection = view_.image->projection;
         const auto sample = static_cast<float>(projection.sample_size / projection.texture_size);
-        for (std::array<Lanes, 2>* const steps : {&here.du, &here.dv})
-            for (Lanes& step : *steps)
-                for (float& value : step.value) value *= sample / across;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::vec2 part = sample / across * of[i < of.size() ? i : 0].size;
+            for (std::size_t k = 0; k < 2; ++k) {
+                here.du[k][i] *= part.x;
+                here.dv[k][i] *= part.y;
+            }
+        }
         for (std::size_t part = 0; part < surface.parts.size(); ++part) {
             const glm::vec2 place = static_cast<float>(across) * MirroredParts::middle(part);
             TexturePoints there = here;
@@ -140,8 +144,9 @@ private:
 
 }  // namespace
 
-void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
-                          std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
+void TexturedPixels::find(const SpatialVariation& variation, bool back, std::span<const PixelPoint> mirrors,
+                          const TextureView& view, std::span<const std::uint32_t> triangles,
+                          std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
     weights_.resize(surfaces.size() * layers);
     points_.resize(surfaces.size());
@@ -156,7 +161,7 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mir
             surfaces[b].tangents[i] = block.tangent(variation.rotation, i);
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         surfaces[b].unperturbed = surfaces[b].normals;
-        if (mirrors) block.find_parts(surfaces[b]);
+        if (!mirrors.empty()) block.find_parts(mirrors.subspan(b * kLanes, own.size()), surfaces[b]);
         LaneVectors turned = block.normals;
         block.turn(turned);
         for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(turned, i);
@@ -248,7 +253,8 @@ void PixelBatch::find_textures(const PixelInput& input) {
     const bool covering = !in_pixels_.empty();
     const bool mirrors = covering && input.local_lights != nullptr &&
                          input.local_lights->lighting().needs_pixels(*range.material);
-    textures_.find(*range.material->variation(), is_back(input.geometry, range), mirrors,
+    textures_.find(*range.material->variation(), is_back(input.geometry, range),
+                   mirrors ? in_pixels_ : std::span<const PixelPoint>(),
                    {.geometry = input.geometry, .views = views_, .image = covering ? &image : nullptr},
                    triangles_, std::span(surfaces_).first(surfaces().size()));
     weights_ = textures_.weights();

@@ -71,14 +71,15 @@ struct PixelPoints {
     /// Surfaces in the pixels. Samples of triangles that share a corner belong to one surface, which has one
     /// point at their mean.
     std::vector<PixelPoint> whole;
-    /// Parts of bent surfaces: samples whose triangles have almost the same geometric normal.
+    /// Parts of bent surfaces: samples whose triangles have almost the same geometric normal, or single
+    /// samples where a texture perturbs the normals of narrow lobes that reflect much.
     std::vector<PixelPoint> parts;
     /// Whether rays may begin at a sample, see SmoothSurfaces::followed().
     bool followed = false;
 
     /// Lists the points of pixels first <= i < last. Also writes the fraction of the samples that show a
     /// surface, its back included, to coverage[i - first]. Points of smooth boundaries (input.smooth) are
-    /// left out. No surface is bent without local lights. The input's hits must be on the host.
+    /// left out. No surface is bent without input.local_lights. The input's hits must be on the host.
     void list(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
 
 private:
@@ -109,9 +110,11 @@ public:
     /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen] and
     /// rotates their tangents.
     /// back: whether the surface is the second side of a two-sided instance, the mirror image of the front.
-    /// mirrors: whether LaneSurface::parts are wanted, if textures perturb normals; needs view.image.
-    void find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
-              std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);
+    /// mirrors: the points in their pixels if LaneSurface::parts are wanted, where textures perturb normals;
+    /// needs view.image. Empty: they are not wanted.
+    void find(const SpatialVariation& variation, bool back, std::span<const PixelPoint> mirrors,
+              const TextureView& view, std::span<const std::uint32_t> triangles,
+              std::span<LaneSurface> surfaces);
 
     /// Returns the weights: [block of sixteen][layer].
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }

@@ -9,6 +9,8 @@
 
 #include "devices/pixel_batch.hpp"
 #include "draw/visibility_buffer.hpp"
+#include "material/followed_terms.hpp"
+#include "material/spatial_variation.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 
@@ -91,6 +93,23 @@ std::size_t divide(const Patch& patch, const WorldGeometry& geometry,
     return count;
 }
 
+// Divides a surface into its samples.
+std::size_t divide(const Patch& patch, std::array<Patch, kMostPixelSamples>& parts) {
+    for (std::size_t s = 0; s < patch.samples; ++s) {
+        parts[s].samples = 0;
+        parts[s].add(patch.triangles[s], patch.at[s]);
+    }
+    return patch.samples;
+}
+
+// Returns whether a texture bends highlights of lights too finely for the parts of a whole pixel: into
+// lines of a fraction of a pixel that hold most of the light.
+bool splits_highlights(const Material& material, const LocalLighting& lighting) {
+    const SpatialVariation* const variation = material.variation();
+    return variation != nullptr && variation->normal.kind != NormalVariation::Kind::none &&
+           lighting.needs_pixels(material) && follows_lobes(material);
+}
+
 }  // namespace
 
 void PixelPoints::list(const PixelInput& input, std::size_t first, std::size_t last,
@@ -126,12 +145,16 @@ void PixelPoints::list_single(const PixelInput& input, std::size_t first, std::s
 
 void PixelPoints::list_patches(const PixelInput& input, std::size_t first, std::size_t last,
                                std::span<float> coverage) {
-    const bool lit = input.local_lights != nullptr && input.local_lights->lighting().any_source();
+    const LocalLighting* const lighting =
+        input.local_lights != nullptr ? &input.local_lights->lighting() : nullptr;
+    const bool lit = lighting != nullptr && lighting->any_source();
     const std::span offsets = input.hits.offsets();
     const std::span triangles(input.geometry.triangles);
     const float weight = 1.0F / static_cast<float>(offsets.size());
     std::array<Patch, kMostPixelSamples> patches, bent;
     std::size_t range = 0;
+    const Material* known = nullptr;  // of the previous patch
+    bool split = false;               // whether samples of that material reflect lights one by one
     for (std::size_t i = first; i < last; ++i) {
         std::size_t count = 0;
         std::size_t covered = 0;
@@ -154,7 +177,16 @@ void PixelPoints::list_patches(const PixelInput& input, std::size_t first, std::
         coverage[i - first] = weight * static_cast<float>(covered);
         for (const Patch& patch : std::span(patches).first(count)) {
             whole.push_back(point_of(patch, input, i, range));
-            const std::size_t sides = lit ? divide(patch, input.geometry, bent) : 1;
+            if (const Material* const material = input.geometry.ranges[range].material.get();
+                lighting != nullptr && material != known) {
+                known = material;
+                split = splits_highlights(*material, *lighting);
+            }
+            std::size_t sides = 1;
+            if (split)
+                sides = divide(patch, bent);
+            else if (lit)
+                sides = divide(patch, input.geometry, bent);
             whole.back().bent = sides > 1;
             for (std::size_t side = 0; sides > 1 && side < sides; ++side)
                 parts.push_back(point_of(bent[side], input, i, range));

@@ -9,9 +9,8 @@
 namespace nicol {
 namespace {
 
-bool narrow(const Material& material, int term) {
-    return material.matrix(0) == nullptr && !material.smooth(term) &&
-           material.lobe_width(term) < kWidestFollowedLobe;
+bool narrow(const Material& material, int term, double widest = kWidestFollowedLobe) {
+    return material.matrix(0) == nullptr && !material.smooth(term) && material.lobe_width(term) < widest;
 }
 
 // Returns the fraction of the light along the normal that a term reflects, if its facets are those of its
@@ -24,10 +23,10 @@ double reflectance(const Material& material, int term) {
     return 4 * std::numbers::pi * alpha.x * alpha.y * weight * material.evaluate(term, normal, normal)(0, 0);
 }
 
-bool follows(const Material& layer) {
+bool follows(const Material& layer, double widest) {
     double sum = 0;
     for (int t = 0; t < layer.terms(); ++t)
-        if (narrow(layer, t)) sum += reflectance(layer, t);
+        if (narrow(layer, t, widest)) sum += reflectance(layer, t);
     return sum >= kLeastFollowedReflectance;
 }
 
@@ -46,11 +45,11 @@ FollowedLayer followed_layer(const Material& layer, SampledTerms sampled) {
 
 }  // namespace
 
-bool follows_lobes(const Material& material) {
+bool follows_lobes(const Material& material, double widest) {
     const SpatialVariation* const variation = material.variation();
-    if (variation == nullptr) return follows(material);
-    return std::ranges::any_of(variation->layers,
-                               [](const MaterialLayer& layer) { return follows(*layer.material); });
+    if (variation == nullptr) return follows(material, widest);
+    return std::ranges::any_of(
+        variation->layers, [widest](const MaterialLayer& layer) { return follows(*layer.material, widest); });
 }
 
 bool is_followed(const Material& layer, int term, SampledTerms sampled) {

@@ -18,8 +18,8 @@ inline constexpr double kWidestFollowedLobe = 0.25;
 inline constexpr double kLeastFollowedReflectance = 0.2;
 
 /// Returns whether rays follow what surfaces of a material reflect of other surfaces, because the material or
-/// one of its layers has narrow lobes that reflect much.
-[[nodiscard]] bool follows_lobes(const Material& material);
+/// one of its layers has lobes narrower than `widest` that reflect much.
+[[nodiscard]] bool follows_lobes(const Material& material, double widest = kWidestFollowedLobe);
 /// Returns whether rays follow a term of a layer of such a material: a term with a narrow or a sampled lobe.
 [[nodiscard]] bool is_followed(const Material& layer, int term, SampledTerms sampled);
 
