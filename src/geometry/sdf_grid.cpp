@@ -14,6 +14,7 @@
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,22 +81,28 @@ public:
                 name, "a volume of " + std::to_string(channels) + " channels; a grid of distances has one",
                 ErrorCode::unsupported);
         size_ = {x, y, z};
-        const std::size_t count = (bytes.size() - kVolumeHeader) / sizeof(float);
-        std::size_t left = count;
+        const std::size_t in_file = (bytes.size() - kVolumeHeader) / sizeof(float);
+        std::size_t left = in_file;
         for (glm::length_t axis = 0; axis < 3; ++axis) {
-            if (size_[axis] < 2) refuse_volume(name, "fewer than 2 numbers along an axis");
-            const auto of_axis = static_cast<std::size_t>(size_[axis]);
-            left = left % of_axis == 0 ? left / of_axis : 0;
+            if (size_[axis] < 2)
+                refuse_volume(name, sizes() + " numbers; expected 2 or more along each axis");
+            left /= static_cast<std::size_t>(size_[axis]);
         }
-        if (left != 1 || bytes.size() % sizeof(float) != 0)
-            refuse_volume(name, "has not " + std::to_string(x) + " x " + std::to_string(y) + " x " +
-                                    std::to_string(z) + " numbers after its header");
+        // Bytes after the numbers are no part of the volume.
+        if (left == 0)
+            refuse_volume(name, "ends early: " + std::to_string(in_file) +
+                                    " numbers after its header; expected " + sizes());
+        const auto count =
+            static_cast<std::size_t>(x) * static_cast<std::size_t>(y) * static_cast<std::size_t>(z);
         budget.take_memory(count * sizeof(float));
         budget.step(count);
         values_.resize(count);
         std::memcpy(values_.data(), bytes.data() + kVolumeHeader, count * sizeof(float));
-        if (!std::ranges::all_of(values_, [](float value) { return std::isfinite(value); }))
-            refuse_volume(name, "a number is not finite");
+        const auto wrong =
+            std::ranges::find_if_not(values_, [](float value) { return std::isfinite(value); });
+        if (wrong != values_.end())
+            refuse_volume(name, "number " + std::to_string(wrong - values_.begin()) +
+                                    " (counted from 0) is not finite; expected distances");
     }
 
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
@@ -116,19 +123,20 @@ public:
     }
 
     /// Returns the normal that blends the gradients of the eight cells around the nearest point of the grid
-    /// (Hansson-Soderlund et al. 2022). place: in cells.
+    /// (Hansson-Soderlund et al. 2022). The last cells repeat at both ends, where Mitsuba 3.9 blends with 0
+    /// at the upper ones. place: in cells.
     [[nodiscard]] glm::dvec3 smooth_normal(const glm::dvec3& place) const {
         const glm::ivec3 last = size_ - 2;
         const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), last);
         const glm::ivec3 low = glm::ivec3(glm::round(place)) - 1;
         const glm::dvec3 weight = glm::clamp(place - glm::dvec3(low) - 0.5, 0.0, 1.0);
-        // Along each axis, what the cell and its neighbour grow by at the place.
-        std::array<glm::dvec3, 2> growth;
+        // Differences across the cell and across its neighbour, along each axis.
+        std::array<glm::dvec3, 2> differences;
         for (int side = 0; side < 2; ++side)
             for (glm::length_t axis = 0; axis < 3; ++axis) {
                 glm::ivec3 of = cell;
                 of[axis] = std::clamp(low[axis] + side, 0, last[axis]);
-                growth[static_cast<std::size_t>(side)][axis] =
+                differences[static_cast<std::size_t>(side)][axis] =
                     gradient_at(corners(of), place - glm::dvec3(cell))[axis];
             }
         glm::dvec3 sum(0);
@@ -137,7 +145,7 @@ public:
             glm::dvec3 gradient;
             double share = 1;
             for (glm::length_t axis = 0; axis < 3; ++axis) {
-                gradient[axis] = growth[static_cast<std::size_t>(high[axis])][axis];
+                gradient[axis] = differences[static_cast<std::size_t>(high[axis])][axis];
                 share *= high[axis] == 1 ? weight[axis] : 1 - weight[axis];
             }
             gradient *= cells();
@@ -148,6 +156,10 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string sizes() const {
+        return std::to_string(size_.x) + " x " + std::to_string(size_.y) + " x " + std::to_string(size_.z);
+    }
+
     glm::ivec3 size_;
     std::vector<float> values_;
 };
@@ -156,7 +168,7 @@ private:
 constexpr std::array<std::array<std::uint8_t, 4>, 6> kCellSides{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-/// CellEdge of a cell: its axis and its corner of lower number.
+/// Edge of a cell: its axis and its corner of lower number.
 struct CellEdge {
     std::size_t axis, low;
     [[nodiscard]] std::size_t number() const { return 8 * axis + low; }
@@ -167,8 +179,8 @@ CellEdge edge_between(std::size_t a, std::size_t b) {
     return {static_cast<std::size_t>(std::countr_zero(bit)), std::min(a, b)};
 }
 
-/// CellLoops of edges where the surface leaves a cell, counter-clockwise seen from where numbers are
-/// positive.
+/// Loops of edges along which the surface leaves a cell. Loops run counter-clockwise as seen from the
+/// positive side.
 class CellLoops {
 public:
     explicit CellLoops(const CellCorners& corners) {
@@ -201,7 +213,7 @@ private:
         };
         const auto leaves = [&](std::size_t i) { return of(i) < 0 && !(of(i + 1) < 0); };
         const auto enters = [&](std::size_t i) { return !(of(i) < 0) && of(i + 1) < 0; };
-        // Where diagonals differ in sign, the value where the side is level says which is connected.
+        // If the diagonals differ in sign, the value at the saddle point decides which of them is connected.
         const double bend = (of(0) + of(2)) - (of(1) + of(3));
         const bool inside_joined = bend != 0 && (of(0) * of(2) - of(1) * of(3)) / bend < 0;
         const std::size_t step = inside_joined ? 1 : 3;
@@ -242,6 +254,13 @@ public:
             for (std::size_t i = 0; i < count; ++i)
                 mesh.triangles.emplace_back(middle, ring[i], ring[(i + 1) % count]);
         });
+    }
+
+    /// Takes memory for what add() makes of all cells.
+    void reserve(std::size_t vertices, std::size_t triangles) {
+        mesh.positions.reserve(vertices);
+        mesh.normals.reserve(vertices);
+        mesh.triangles.reserve(triangles);
     }
 
     Mesh mesh;
@@ -300,17 +319,55 @@ void for_crossed(const DistanceGrid& grid, const LoadBudget& budget, const Body&
             }
 }
 
+/// Vertices and triangles of a grid's surface.
+struct Counts {
+    std::size_t on_edges = 0;  ///< vertices on edges of cells
+    std::size_t inside = 0;    ///< vertices inside cells
+    std::size_t triangles = 0;
+};
+
+/// Returns whether no cell before a cell, in any coordinate, has its edge.
+bool is_first_with(const glm::ivec3& cell, const CellEdge& edge) {
+    const glm::ivec3 low = DistanceGrid::corner(edge.low);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        if (axis != static_cast<glm::length_t>(edge.axis) && low[axis] == 0 && cell[axis] > 0) return false;
+    return true;
+}
+
+Counts counts_of(const DistanceGrid& grid, SdfNormals normals, const LoadBudget& budget) {
+    Counts out;
+    for_crossed(grid, budget, [&](const glm::ivec3& cell, const CellCorners& corners) {
+        budget.step(64);
+        CellLoops(corners).for_each([&](std::span<const std::uint8_t> edges) {
+            const std::size_t count = edges.size();
+            out.triangles += count == 3 ? 1 : count;
+            out.inside += count == 3 ? 0 : 1;
+            for (const std::uint8_t edge : edges)
+                out.on_edges +=
+                    normals == SdfNormals::analytic || is_first_with(cell, {edge / 8U, edge % 8U}) ? 1 : 0;
+        });
+    });
+    return out;
+}
+
+// Memory of an element of GridSurface's table of vertices on edges, its node and its place in the table.
+constexpr std::uint64_t kBytesOnEdge = 40;
+
 }  // namespace
 
 Mesh load_sdf_grid(const std::filesystem::path& file, SdfNormals normals, const LoadBudget& budget) {
     const std::string name = file.string();
     const DistanceGrid grid(name, read_bytes(file, budget), budget);
-    std::uint64_t crossed = 0;
-    for_crossed(grid, budget, [&](const glm::ivec3&, const CellCorners&) { ++crossed; });
-    if (crossed == 0) refuse_volume(name, "no surface: all numbers have one sign");
-    // Cells have seldom more than six edges with vertices, which four cells share, and a vertex inside.
-    budget.take_mesh(file, (normals == SdfNormals::smooth ? 3 : 7) * crossed, 6 * crossed);
+    const Counts counts = counts_of(grid, normals, budget);
+    if (counts.triangles == 0)
+        refuse_volume(name, "no surface: all distances have one sign; 0 counts as positive");
+    const std::size_t vertices = counts.on_edges + counts.inside;
+    if (vertices >= std::numeric_limits<std::uint32_t>::max())
+        refuse_volume(name, "a surface of more than 2^32 - 2 vertices", ErrorCode::unsupported);
+    budget.take_mesh(file, vertices, counts.triangles);
+    if (normals == SdfNormals::smooth) budget.take_memory(kBytesOnEdge * counts.on_edges);
     GridSurface surface(grid, normals);
+    surface.reserve(vertices, counts.triangles);
     for_crossed(grid, budget, [&](const glm::ivec3& cell, const CellCorners& corners) {
         budget.step(256);
         surface.add(cell, corners);

@@ -167,6 +167,11 @@ def pbsdf(shape, wavelengths, angles=True, step=0.5):
     return head + data
 
 
+def volume(values, encoding=1, channels=1):
+    """Returns a grid of 3 x 2 x 2 values."""
+    return b"VOL\3" + struct.pack("<5i6f", encoding, 3, 2, 2, channels, *6 * [0.0]) + struct.pack("<12f", *values)
+
+
 SCENE = """<?xml version="1.0"?>
 <scene version="3.0.0">
   <default name="w" value="8"/>
@@ -349,6 +354,7 @@ SEEDS = {
             npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],
     "pbsdf": [pbsdf((3, 2, 2), [550]), pbsdf((4, 2, 3), [450, 550, 650]), pbsdf((2, 2, 2), [550], angles=False)],
+    "sdf_grid": [volume([-1, -1, 0.5] * 4), volume([1, -1, 1, -1, 1, -1, 0, 1, -1, 1, -1, 1]), volume([-1] * 12, 2, 3)],
     "scene": [SCENE, SKY, TEXTURES, LIGHTS],
     "gltf": [gltf(False), gltf(True)],
     "http": list(requests()),

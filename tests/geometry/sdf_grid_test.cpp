@@ -94,7 +94,7 @@ TEST_CASE("a ball's surface is closed, where it should be, and faces outward") {
             const glm::vec3 across = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
             REQUIRE(glm::dot(across, mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z]) > 0);
         }
-        // Vertices of one cell alone are no other's.
+        // Cells share no vertices if normals are analytic.
         CHECK(open_edges(mesh).empty() == (normals == SdfNormals::smooth));
     }
 }
@@ -127,19 +127,37 @@ TEST_CASE("grids that are no surface are refused") {
     } rows[] = {{"", "does not begin with VOL"},
                 {"VOL\x02" + good.substr(4), "does not begin with VOL"},
                 {good.substr(0, 47), "does not begin with VOL"},
-                {good.substr(0, good.size() - 4), "has not 3 x 3 x 3 numbers"},
-                {good + "1234", "has not 3 x 3 x 3 numbers"},
-                {good + "1", "has not 3 x 3 x 3 numbers"},
-                {volume({1, 3, 3}, ball), "fewer than 2 numbers"},
+                {good.substr(0, good.size() - 4), "26 numbers after its header; expected 3 x 3 x 3"},
+                {volume({3, 1, 3}, ball), "3 x 1 x 3 numbers; expected 2 or more"},
+                {volume({-3, 3, 3}, ball), "-3 x 3 x 3 numbers; expected 2 or more"},
                 {volume(glm::ivec3(3), ball, 2), "encoding 2", ErrorCode::unsupported},
                 {volume(glm::ivec3(3), ball, 1, 3), "3 channels", ErrorCode::unsupported},
                 {volume(glm::ivec3(3), [](const glm::dvec3&) { return 1.0; }), "no surface"},
                 {volume(glm::ivec3(3), [](const glm::dvec3& at) { return at.x < 1 ? -1 : std::nan(""); }),
-                 "not finite"}};
+                 "number 2 (counted from 0) is not finite"}};
     for (const auto& row : rows) check_error(row.code, CALL(surface(row.bytes)), row.part, "a.vol");
+}
+
+TEST_CASE(
+    "limits hold for the vertices and triangles that a surface has, and bytes after a grid are ignored") {
+    const auto checkered = [](const glm::dvec3& at) {
+        const glm::ivec3 corner(glm::round(at * 7.0));
+        return (corner.x + corner.y + corner.z) % 2 == 0 ? 1.0 : -0.3;
+    };
+    const std::function<double(const glm::dvec3&)> shapes[] = {
+        checkered, ball, [](const glm::dvec3& at) { return at.x - 0.6; }};
     const TemporaryFolder folder;
-    const std::filesystem::path file = folder.write("a.vol", volume(glm::ivec3(24), ball));
-    check_error(ErrorCode::unsupported,
-                CALL(load_sdf_grid(file, SdfNormals::smooth, LoadLimits{.triangles = 1000})),
-                "triangle_limit");
+    for (const auto& shape : shapes)
+        for (const SdfNormals normals : both) {
+            CAPTURES(&shape - shapes, static_cast<int>(normals));
+            const std::filesystem::path file = folder.write("a.vol", volume(glm::ivec3(8), shape) + "12345");
+            const auto load = [&](std::uint64_t vertices, std::uint64_t triangles) {
+                return load_sdf_grid(file, normals, LoadLimits{.vertices = vertices, .triangles = triangles});
+            };
+            const Mesh mesh = load(1 << 20, 1 << 20);
+            const std::uint64_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+            CHECK(load(vertices, triangles).positions == mesh.positions);
+            check_error(ErrorCode::unsupported, CALL(load(vertices - 1, triangles)), "vertex_limit");
+            check_error(ErrorCode::unsupported, CALL(load(vertices, triangles - 1)), "triangle_limit");
+        }
 }
