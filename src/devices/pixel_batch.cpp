@@ -90,14 +90,14 @@ public:
     void turn(LaneVectors& turned) const { turn_at(points, turned); }
 
     // Finds the perturbed normals of the parts of up to sixteen points.
-    void find_parts(std::span<const PixelPoint> of, LaneSurface& surface) const {
+    void find_parts(std::span<const PixelPoint> in_pixels, LaneSurface& surface) const {
         constexpr std::size_t across = LaneSurface::kPartsAcross;
         TexturePoints here = points;
         find_footprints(steps_, axes, towards_viewer, here);
         const Projection& projection = view_.image->projection;
         const auto sample = static_cast<float>(projection.sample_size / projection.texture_size);
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const glm::vec2 part = sample / across * of[i < of.size() ? i : 0].size;
+            const glm::vec2 part = sample / across * in_pixels[i < in_pixels.size() ? i : 0].size;
             for (std::size_t k = 0; k < 2; ++k) {
                 here.du[k][i] *= part.x;
                 here.dv[k][i] *= part.y;

@@ -102,12 +102,15 @@ std::size_t divide(const Patch& patch, std::array<Patch, kMostPixelSamples>& par
     return patch.samples;
 }
 
+// Width of the widest lobes, in radians, whose highlights parts of a whole pixel do not hold; measured.
+constexpr double kWidestSplit = 0.11;
+
 // Returns whether a texture bends highlights of lights too finely for the parts of a whole pixel: into
 // lines of a fraction of a pixel that hold most of the light.
 bool splits_highlights(const Material& material, const LocalLighting& lighting) {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr && variation->normal.kind != NormalVariation::Kind::none &&
-           lighting.needs_pixels(material) && follows_lobes(material);
+           lighting.any_source() && follows_lobes(material, kWidestSplit);
 }
 
 }  // namespace
@@ -153,8 +156,8 @@ void PixelPoints::list_patches(const PixelInput& input, std::size_t first, std::
     const float weight = 1.0F / static_cast<float>(offsets.size());
     std::array<Patch, kMostPixelSamples> patches, bent;
     std::size_t range = 0;
-    const Material* known = nullptr;  // of the previous patch
-    bool split = false;               // whether samples of that material reflect lights one by one
+    const Material* known = nullptr;  // material of the previous patch
+    bool split = false;               // splits_highlights() of that material
     for (std::size_t i = first; i < last; ++i) {
         std::size_t count = 0;
         std::size_t covered = 0;

@@ -245,7 +245,7 @@ PredictedError Pipeline::predicted_error(const RenderRun& run, const Projection&
     // An image that is one of many samples of its pixels has their mean's noise.
     const double share = projection.sample_size * projection.sample_size;
     for (const LightingTally* const sampled : {&lighting_, &followed_}) {
-        const double shown = shown_s0_.covered > 0 ? shown_s0_.covered : static_cast<double>(sampled->values);
+        const double shown = shown_s0_.covered > 0 ? shown_s0_.covered : sampled->values;
         if (shown == 0) continue;
         out.add_noise(rounded(share * sampled->noise / shown), rounded(sampled->power / shown));
     }

@@ -83,8 +83,8 @@ template <class Number>
     return times(root, nearest_orthogonal(times(turned, near)));
 }
 
-/// Cosine and sine of the rotation of with_orthogonal_columns(). of_longer, of_shorter: squared lengths of
-/// the columns. product: their scalar product.
+/// Returns cosine and sine of the rotation of with_orthogonal_columns(). of_longer, of_shorter: squared
+/// lengths of the columns. product: their scalar product.
 template <class Number>
 [[gnu::always_inline]] inline Vector2<Number> rotation_of_columns(const Number& of_longer,
                                                                   const Number& of_shorter,

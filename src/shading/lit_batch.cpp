@@ -194,11 +194,15 @@ bool LitBatch::any_layer_has(bool smooth) const {
 LightingTally LitBatch::tally() const {
     LightingTally out{.rays = count_of(shadows_) + count_of(before_environment_) + count_of(before_mirrors_),
                       .rays_spared = rays_spared_,
-                      .values = sums_.size() * points_.positions.size(),
+                      .values = 0,
                       .power = 0,
                       .noise = noise_};
-    for (const std::array<Lanes, 4>& stokes : sums_)
-        for (const float s0 : stokes[0].value) out.power += double{s0} * double{s0};
+    for (std::size_t i = 0; i < points_.positions.size(); ++i) {
+        const double factor = points_.noise_factors.empty() ? 1.0F : points_.noise_factors[i];
+        out.values += factor * static_cast<double>(sums_.size());
+        for (const std::array<Lanes, 4>& stokes : sums_)
+            out.power += factor * double{stokes[0][i]} * double{stokes[0][i]};
+    }
     return out;
 }
 

@@ -69,9 +69,10 @@ struct LitMaterial {
 struct LightingTally {
     std::uint64_t rays = 0;
     std::uint64_t rays_spared = 0;  ///< rays to lights that add next to nothing
-    std::uint64_t values = 0;       ///< number of points, times channels
-    double power = 0;               ///< sum over the values of s0^2
-    double noise = 0;  ///< sum of the expected squared errors of s0, times LitPoints::noise_factors
+    // Sums over points and channels, times LitPoints::noise_factors.
+    double values = 0;
+    double power = 0;  ///< of s0^2
+    double noise = 0;  ///< of the expected squared errors of s0
 
     LightingTally& operator+=(const LightingTally& other) {
         rays += other.rays;

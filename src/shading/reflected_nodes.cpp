@@ -137,13 +137,10 @@ template <class Number>
     square_root(out);
 }
 
-// Computes the node that ReflectedNodes has of mirrors with one node. narrow: whether that one suffices.
+// Computes the node that ReflectedNodes has of mirrors with one node.
 template <class Number>
-[[gnu::always_inline]] inline void find_mirrored(float narrowest, const LaneVectors& towards_viewer,
-                                                 const MirroredPixels& pixels, ReflectedNode& out,
-                                                 bool& narrow) {
-    const float most = std::min(narrowest, kWidest);
-    narrow = true;
+[[gnu::always_inline]] inline void find_mirrored(const LaneVectors& towards_viewer,
+                                                 const MirroredPixels& pixels, ReflectedNode& out) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> viewer, right, down, shift;
         load_part(towards_viewer, first, viewer);
@@ -157,7 +154,6 @@ template <class Number>
         Number longer;
         longer_column(of_right, of_down, product, longer);
         const Number variance = (1 / 12.0F) * longer;  // of an even distribution along the longer side
-        narrow = narrow && all_lanes(variance <= most * most);
         store_part(variance, first, out.variances);
         const Vector3<Number> towards{-viewer.x, -viewer.y, viewer.z};
         store_part(towards, first, out.towards);
@@ -169,11 +165,14 @@ template <class Number>
 
 }  // namespace
 
-bool mirror_node(float narrowest, const LaneVectors& towards_viewer, const MirroredPixels& pixels,
-                 ReflectedNode& out) {
-    bool narrow;
-    dispatch<find_mirrored<FourLanes>, find_mirrored<EightLanes>, find_mirrored<AllLanes>>(
-        narrowest, towards_viewer, pixels, out, narrow);
+std::uint32_t mirror_node(float narrowest, const LaneVectors& towards_viewer, const MirroredPixels& pixels,
+                          ReflectedNode& out) {
+    dispatch<find_mirrored<FourLanes>, find_mirrored<EightLanes>, find_mirrored<AllLanes>>(towards_viewer,
+                                                                                           pixels, out);
+    const float most = std::min(narrowest, kWidest);
+    std::uint32_t narrow = 0;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        narrow |= (out.variances[i] <= most * most ? std::uint32_t{1} : 0U) << i;
     return narrow;
 }
 

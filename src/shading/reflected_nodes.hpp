@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -58,9 +59,9 @@ struct ReflectedNode {
 };
 
 /// Computes the one node of mirrors whose pixels show no more than the narrowest blobs do. narrowest: see
-/// ReflectedNodes. Returns false if a point needs several nodes; `out` is undefined then.
-[[nodiscard]] bool mirror_node(float narrowest, const LaneVectors& towards_viewer,
-                               const MirroredPixels& pixels, ReflectedNode& out);
+/// ReflectedNodes. Returns bits of these points; others need several nodes.
+[[nodiscard]] std::uint32_t mirror_node(float narrowest, const LaneVectors& towards_viewer,
+                                        const MirroredPixels& pixels, ReflectedNode& out);
 
 /// Two neighbouring nodes for which the pBRDF is evaluated once, in the direction of PairDirection.
 struct ReflectedPair {

@@ -2,6 +2,7 @@
 #include "surfaces/convex_bodies.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -183,7 +184,8 @@ std::uint32_t ConvexBodies::leave(std::size_t range, const LaneVectors& origins,
                                   std::array<std::uint32_t, kLanes>& triangles, LaneTriangles& at,
                                   LaneMeetings& out) const {
     static_assert(sizeof(LaneTriangles) == std::tuple_size_v<decltype(Triangle::row)> * sizeof(Lanes));
-    // As many numbers as lanes are exchanged in registers: the positions, and most of the normals.
+    static_assert(offsetof(LaneTriangles, normals) == 9 * sizeof(Lanes));
+    // Registers exchange as many numbers as lanes: the positions, and most of the normals.
     constexpr std::size_t rest = std::tuple_size_v<decltype(Triangle::row)> - kLanes;
     const Body& body = bodies_[range];
     std::array<const float*, kLanes> rows;

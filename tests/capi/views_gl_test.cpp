@@ -139,10 +139,10 @@ CONTEXT_TEST_CASE("wrong views are refused before any of them is rendered") {
 }
 
 CONTEXT_TEST_CASE("views before a cancelled one have their images") {
-    const Ring ring(context);
+    const Ring ring(context, sphere);
     nicol_render_options options = with_shadows();
     options.method = NICOL_METHOD_REFERENCE;
-    options.samples = 4;
+    options.samples = 64;  // long enough for reports of progress in each view
     struct Views {
         int begun = 0;
         double fraction = HUGE_VAL;

@@ -114,7 +114,8 @@ IMAGE_TEST_CASE("beside compute shaders local lights emit light on materials tha
         MaterialPtr ball;
         MaterialPtr floor;
     } rows[] = {{scaled(plastic, checks), blend(test::some_metal(0.2), plastic, parts)},
-                {normal_mapped(plastic, bumps), twosided(scaled(plastic, checks))}};
+                {normal_mapped(plastic, bumps), twosided(scaled(plastic, checks))},
+                {normal_mapped(test::some_metal(0.05), bumps), plastic}};
     for (const auto& row : rows) {
         Scene scene = still(row.ball, row.floor);
         scene.add_light(sun({1, 3, 1.5}));

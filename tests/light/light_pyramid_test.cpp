@@ -154,7 +154,7 @@ TEST_CASE("radiance alone is that of all components") {
             alone.look_up(variances, found);
             all.look_up(variances, of_all);
             REQUIRE(found.components == 1);
-            // Its images of wide blobs have fewer texels.
+            // Images of wide blobs of radiance alone have fewer texels.
             const double tolerance = variance < 0.02F ? 1e-5 : 0.01;
             for (std::size_t c = 0; c < found.irradiance.size(); ++c)
                 for (std::size_t i = 0; i < kLanes; ++i)

@@ -1389,9 +1389,10 @@ class RenderOptions(Struct):
     shade_at: place of shading, default automatic
     pixel_samples: Number of samples per pixel of the real-time methods, 1 to 1024; 0, the default, is 1. A pixel is the
         mean of surfaces and environment, weighted by the number of samples that show them. 4 and 8 samples are
-        drawn together: shading at pixels shades each surface once per pixel, at the mean of its samples. Other
-        numbers are drawn and shaded one by one, each sample at the cost of an image, which also averages
-        normal maps and soft shadows; AOVs are then those of 8 samples.
+        drawn together: shading at pixels shades each surface once per pixel, at the mean of its samples, but
+        for narrow highlights of local lights on normal maps, which each sample has of its own. Other numbers
+        are drawn and shaded one by one, each sample at the cost of an image, which also averages normal maps
+        and soft shadows; AOVs are then those of 8 samples.
     refine_tolerance: Largest interpolation error of shadows, as a fraction of the light, 0 to 1, default 0.02; 0: no
         triangle is split. The bake splits triangles where shadows change faster than the mesh is fine, until
         the error of uniform light is at most this fraction of what arrives, or of a quarter of it all.

@@ -102,7 +102,7 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
     counts.ray_count += ends.rays;
     for (std::size_t pixel = 0; pixel < ends.lobes.size(); ++pixel) {
         if (ends.lobes[pixel] == 0) continue;
-        counts.followed.values += out.size();
+        counts.followed.values += static_cast<double>(out.size());
         // At outlines, the halves also differ by what they show.
         if (ends.lobes[pixel] < samples) continue;
         for (const auto& [one, other] : std::span(ends.halves).subspan(pixel * out.size(), out.size())) {
