@@ -79,7 +79,7 @@ struct PixelPoints {
 
     /// Lists the points of pixels first <= i < last. Also writes the fraction of the samples that show a
     /// surface, its back included, to coverage[i - first]. Points of smooth boundaries (input.smooth) are
-    /// left out. No surface is bent without input.local_lights. The input's hits must be on the host.
+    /// left out. No surface is bent without local lights. The input's hits must be on the host.
     void list(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
 
 private:

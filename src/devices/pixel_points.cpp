@@ -107,10 +107,10 @@ constexpr double kWidestSplit = 0.11;
 
 // Returns whether a texture bends highlights of lights too finely for the parts of a whole pixel: into
 // lines of a fraction of a pixel that hold most of the light.
-bool splits_highlights(const Material& material, const LocalLighting& lighting) {
+bool splits_highlights(const Material& material) {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr && variation->normal.kind != NormalVariation::Kind::none &&
-           lighting.any_source() && follows_lobes(material, kWidestSplit);
+           follows_lobes(material, kWidestSplit);
 }
 
 }  // namespace
@@ -148,9 +148,7 @@ void PixelPoints::list_single(const PixelInput& input, std::size_t first, std::s
 
 void PixelPoints::list_patches(const PixelInput& input, std::size_t first, std::size_t last,
                                std::span<float> coverage) {
-    const LocalLighting* const lighting =
-        input.local_lights != nullptr ? &input.local_lights->lighting() : nullptr;
-    const bool lit = lighting != nullptr && lighting->any_source();
+    const bool lit = input.local_lights != nullptr && input.local_lights->lighting().any_source();
     const std::span offsets = input.hits.offsets();
     const std::span triangles(input.geometry.triangles);
     const float weight = 1.0F / static_cast<float>(offsets.size());
@@ -180,16 +178,11 @@ void PixelPoints::list_patches(const PixelInput& input, std::size_t first, std::
         coverage[i - first] = weight * static_cast<float>(covered);
         for (const Patch& patch : std::span(patches).first(count)) {
             whole.push_back(point_of(patch, input, i, range));
-            if (const Material* const material = input.geometry.ranges[range].material.get();
-                lighting != nullptr && material != known) {
-                known = material;
-                split = splits_highlights(*material, *lighting);
-            }
-            std::size_t sides = 1;
-            if (split)
-                sides = divide(patch, bent);
-            else if (lit)
-                sides = divide(patch, input.geometry, bent);
+            if (!lit) continue;
+            const Material* const material = input.geometry.ranges[range].material.get();
+            if (material != known) split = splits_highlights(*material);
+            known = material;
+            const std::size_t sides = split ? divide(patch, bent) : divide(patch, input.geometry, bent);
             whole.back().bent = sides > 1;
             for (std::size_t side = 0; sides > 1 && side < sides; ++side)
                 parts.push_back(point_of(bent[side], input, i, range));

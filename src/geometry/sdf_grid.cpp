@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
+#include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
 
 namespace nicol {
@@ -32,11 +32,6 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied fr
 
 constexpr std::size_t kVolumeHeader = 48;
 constexpr int kSinglePrecision = 1;
-
-[[noreturn]] void refuse_volume(std::string_view name, const std::string& message,
-                                ErrorCode code = ErrorCode::invalid_file) {
-    throw Error(code, std::string(name) + ": " + message);
-}
 
 /// Eight corners of a cell of a grid. Bits 0, 1 and 2 of a corner's number are its x, y and z.
 using CellCorners = std::array<double, 8>;
@@ -66,32 +61,29 @@ glm::dvec3 gradient_at(const CellCorners& corners, const glm::dvec3& place) {
 
 class DistanceGrid {
 public:
-    DistanceGrid(std::string_view name, std::string_view bytes, const LoadBudget& budget) {
+    DistanceGrid(const std::filesystem::path& file, std::string_view bytes, const LoadBudget& budget) {
         if (bytes.size() < kVolumeHeader || !bytes.starts_with("VOL\x03"))
-            refuse_volume(name, "not a volume: it does not begin with VOL and the byte 3");
+            invalid_file(file, "not a volume: it does not begin with VOL and the byte 3");
         std::array<std::int32_t, 5> numbers;
         std::memcpy(numbers.data(), bytes.data() + 4, sizeof(numbers));
         const auto [encoding, x, y, z, channels] = numbers;
         if (encoding != kSinglePrecision)
-            refuse_volume(
-                name, "a volume of encoding " + std::to_string(encoding) + "; expected 1, single precision",
-                ErrorCode::unsupported);
+            unsupported_file(
+                file, "a volume of encoding " + std::to_string(encoding) + "; expected 1, single precision");
         if (channels != 1)
-            refuse_volume(
-                name, "a volume of " + std::to_string(channels) + " channels; a grid of distances has one",
-                ErrorCode::unsupported);
+            unsupported_file(
+                file, "a volume of " + std::to_string(channels) + " channels; a grid of distances has one");
         size_ = {x, y, z};
         const std::size_t in_file = (bytes.size() - kVolumeHeader) / sizeof(float);
         std::size_t left = in_file;
         for (glm::length_t axis = 0; axis < 3; ++axis) {
-            if (size_[axis] < 2)
-                refuse_volume(name, sizes() + " numbers; expected 2 or more along each axis");
+            if (size_[axis] < 2) invalid_file(file, sizes() + " numbers; expected 2 or more along each axis");
             left /= static_cast<std::size_t>(size_[axis]);
         }
         // Bytes after the numbers are no part of the volume.
         if (left == 0)
-            refuse_volume(name, "ends early: " + std::to_string(in_file) +
-                                    " numbers after its header; expected " + sizes());
+            invalid_file(file, "ends early: " + std::to_string(in_file) +
+                                   " numbers after its header; expected " + sizes());
         const auto count =
             static_cast<std::size_t>(x) * static_cast<std::size_t>(y) * static_cast<std::size_t>(z);
         budget.take_memory(count * sizeof(float));
@@ -101,8 +93,8 @@ public:
         const auto wrong =
             std::ranges::find_if_not(values_, [](float value) { return std::isfinite(value); });
         if (wrong != values_.end())
-            refuse_volume(name, "number " + std::to_string(wrong - values_.begin()) +
-                                    " (counted from 0) is not finite; expected distances");
+            invalid_file(file, "number " + std::to_string(wrong - values_.begin()) +
+                                   " (counted from 0) is not finite; expected distances");
     }
 
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
@@ -172,6 +164,7 @@ constexpr std::array<std::array<std::uint8_t, 4>, 6> kCellSides{
 struct CellEdge {
     std::size_t axis, low;
     [[nodiscard]] std::size_t number() const { return 8 * axis + low; }
+    [[nodiscard]] static CellEdge numbered(std::size_t number) { return {number / 8, number % 8}; }
 };
 
 CellEdge edge_between(std::size_t a, std::size_t b) {
@@ -237,7 +230,7 @@ public:
             std::array<std::uint32_t, 12> ring;
             glm::dvec3 sum(0);
             for (std::size_t i = 0; i < edges.size(); ++i) {
-                const CellEdge edge{edges[i] / 8U, edges[i] % 8U};
+                const CellEdge edge = CellEdge::numbered(edges[i]);
                 const double from = corners[edge.low], to = corners[edge.low + (1U << edge.axis)];
                 glm::dvec3 place(DistanceGrid::corner(edge.low));
                 place[static_cast<glm::length_t>(edge.axis)] = from / (from - to);
@@ -344,7 +337,7 @@ Counts counts_of(const DistanceGrid& grid, SdfNormals normals, const LoadBudget&
             out.inside += count == 3 ? 0 : 1;
             for (const std::uint8_t edge : edges)
                 out.on_edges +=
-                    normals == SdfNormals::analytic || is_first_with(cell, {edge / 8U, edge % 8U}) ? 1 : 0;
+                    normals == SdfNormals::analytic || is_first_with(cell, CellEdge::numbered(edge)) ? 1 : 0;
         });
     });
     return out;
@@ -356,14 +349,13 @@ constexpr std::uint64_t kBytesOnEdge = 40;
 }  // namespace
 
 Mesh load_sdf_grid(const std::filesystem::path& file, SdfNormals normals, const LoadBudget& budget) {
-    const std::string name = file.string();
-    const DistanceGrid grid(name, read_bytes(file, budget), budget);
+    const DistanceGrid grid(file, read_bytes(file, budget), budget);
     const Counts counts = counts_of(grid, normals, budget);
     if (counts.triangles == 0)
-        refuse_volume(name, "no surface: all distances have one sign; 0 counts as positive");
+        invalid_file(file, "no surface: all distances have one sign; 0 counts as positive");
     const std::size_t vertices = counts.on_edges + counts.inside;
     if (vertices >= std::numeric_limits<std::uint32_t>::max())
-        refuse_volume(name, "a surface of more than 2^32 - 2 vertices", ErrorCode::unsupported);
+        unsupported_file(file, "a surface of more than 2^32 - 2 vertices");
     budget.take_mesh(file, vertices, counts.triangles);
     if (normals == SdfNormals::smooth) budget.take_memory(kBytesOnEdge * counts.on_edges);
     GridSurface surface(grid, normals);
@@ -372,7 +364,7 @@ Mesh load_sdf_grid(const std::filesystem::path& file, SdfNormals normals, const 
         budget.step(256);
         surface.add(cell, corners);
     });
-    validate(surface.mesh, name);
+    validate(surface.mesh, file.string());
     return std::move(surface.mesh);
 }
 

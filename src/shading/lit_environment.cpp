@@ -136,33 +136,31 @@ std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& no
 
 void LitBatch::look_up_mirrored(const SampledEnvironment& environment) {
     thread_local std::vector<std::array<Lanes, 4>> sums;
+    thread_local LaneLight several;
     const LaneFrames frames = environment.in_environment(reflected_.frames());
     const float narrowest = kResolved * environment.narrowest();
     constexpr std::uint32_t all = (std::uint32_t{1} << kLanes) - 1;
     ReflectedNode one;
     const std::uint32_t narrow = mirror_node(narrowest, reflected_.towards_viewer(), pixels_, one);
-    sums.clear();
-    LaneVectors towards, x;
+    environment.look_up(true, frames, one, light_);
     if (narrow != all) {
         const ReflectedNodes nodes(environment.grids(), narrowest, reflected_.towards_viewer(), pixels_);
+        sums.assign(light_.irradiance.size(), {});
         for (std::size_t k = 0; k < nodes.count(); ++k) {
-            environment.look_up(true, frames, nodes.node(k), light_);
-            sums.resize(light_.irradiance.size(), {});
+            environment.look_up(true, frames, nodes.node(k), several);
+            for (std::size_t c = 0; c < sums.size(); ++c)
+                for (std::size_t p = 0; p < several.components; ++p)
+                    for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += several.irradiance[c][p][i];
+        }
+        // A point's light must not depend on its neighbours in the lanes, which threads choose.
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            if ((narrow >> i & 1) != 0) continue;
             for (std::size_t c = 0; c < sums.size(); ++c)
                 for (std::size_t p = 0; p < light_.components; ++p)
-                    for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
+                    light_.irradiance[c][p][i] = sums[c][p][i];
+            put(light_.towards, i, vector_at(several.towards, i));
+            if (light_.components > 1) put(light_.x, i, vector_at(several.x, i));
         }
-        towards = light_.towards;
-        x = light_.x;
-    }
-    // A point's light must not depend on its neighbours in the lanes, which threads choose.
-    environment.look_up(true, frames, one, light_);
-    for (std::size_t i = 0; narrow != all && i < kLanes; ++i) {
-        if ((narrow >> i & 1) != 0) continue;
-        for (std::size_t c = 0; c < sums.size(); ++c)
-            for (std::size_t p = 0; p < light_.components; ++p) light_.irradiance[c][p][i] = sums[c][p][i];
-        put(light_.towards, i, vector_at(towards, i));
-        if (light_.components > 1) put(light_.x, i, vector_at(x, i));
     }
     out_of_frames(reflected_.frames(), light_.towards, light_.towards);
     if (light_.components > 1) out_of_frames(reflected_.frames(), light_.x, light_.x);
