@@ -17,12 +17,24 @@ using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
 
 /// Capabilities that are off while the library draws. Dithering is on in a fresh context, but contexts of our
 /// own switch it off too. Each draw sets the depth test and culling.
-constexpr std::array kCapabilitiesOff{
-    GL_STENCIL_TEST,        GL_COLOR_LOGIC_OP,    GL_DITHER,
-    GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,    GL_SAMPLE_ALPHA_TO_COVERAGE,
-    GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE,   GL_SAMPLE_MASK,
-    GL_SAMPLE_SHADING,      GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX,
-    GL_RASTERIZER_DISCARD,  GL_DEPTH_CLAMP,       GL_FRAMEBUFFER_SRGB};
+// Mesa offsets filled polygons, too, if it offsets lines or points.
+constexpr std::array kCapabilitiesOff{GL_STENCIL_TEST,
+                                      GL_COLOR_LOGIC_OP,
+                                      GL_DITHER,
+                                      GL_POLYGON_OFFSET_FILL,
+                                      GL_POLYGON_OFFSET_LINE,
+                                      GL_POLYGON_OFFSET_POINT,
+                                      GL_POLYGON_SMOOTH,
+                                      GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                      GL_SAMPLE_ALPHA_TO_ONE,
+                                      GL_SAMPLE_COVERAGE,
+                                      GL_SAMPLE_MASK,
+                                      GL_SAMPLE_SHADING,
+                                      GL_PRIMITIVE_RESTART,
+                                      GL_PRIMITIVE_RESTART_FIXED_INDEX,
+                                      GL_RASTERIZER_DISCARD,
+                                      GL_DEPTH_CLAMP,
+                                      GL_FRAMEBUFFER_SRGB};
 
 struct Setting {
     GLenum name;
@@ -149,10 +161,19 @@ void HostState::set_draw_buffer(GLuint index) {
     std::array<GLboolean, 4> mask{};
     gl_.GetBooleani_v(GL_COLOR_WRITEMASK, index, mask.data());
     restore([this, index, mask] { gl_.ColorMaski(index, mask[0], mask[1], mask[2], mask[3]); });
-    if (gl_.IsEnabledi(GL_BLEND, index) == GL_TRUE) {
-        restore([this, index] { gl_.Enablei(GL_BLEND, index); });
-        gl_.Disablei(GL_BLEND, index);
-    }
+    if (gl_.IsEnabledi(GL_BLEND, index) == GL_FALSE) return;
+    GLint color = GL_FUNC_ADD, alpha = GL_FUNC_ADD;
+    gl_.GetIntegeri_v(GL_BLEND_EQUATION_RGB, index, &color);
+    gl_.GetIntegeri_v(GL_BLEND_EQUATION_ALPHA, index, &alpha);
+    restore([this, index, color = static_cast<GLenum>(color), alpha = static_cast<GLenum>(alpha)] {
+        gl_.Enablei(GL_BLEND, index);
+        // Equations of the extension for advanced blending cannot be set apart.
+        if (color == alpha) return gl_.BlendEquationi(index, color);
+        gl_.BlendEquationSeparatei(index, color, alpha);
+    });
+    // Mesa refuses draws for an advanced equation that it once enabled, even if blending is off.
+    gl_.BlendEquationi(index, GL_FUNC_ADD);
+    gl_.Disablei(GL_BLEND, index);
 }
 
 void HostState::set_blend_functions(GLuint index) {
