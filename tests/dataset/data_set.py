@@ -43,7 +43,7 @@ class DataSetTest(FolderTest):
         """Makes the folder meshes/, in which one mesh is fine enough that its bake infers rays."""
         os.mkdir(self.path("meshes"))
         save_bumpy_sphere(self.path("meshes", "coarse.ply"), 12, 24)
-        save_bumpy_sphere(self.path("meshes", "fine.ply"), 48, 96)
+        save_bumpy_sphere(self.path("meshes", "fine.ply"), 32, 64)
 
     def recipe(self, **parts):
         """Writes a recipe and returns its path; parts replace or add keys, None removes one."""

@@ -87,16 +87,16 @@ class LoaderTest(DataSetTest):
     def test_flat_memory(self):
         # A new scene every tenth picture, each with another light and material.
         recipe = self.recipe(
-            size=[64, 64], views=10, camera={"azimuth": {"uniform": [0, 360]}},
+            size=[96, 96], views=10, camera={"azimuth": {"uniform": [0, 360]}},
             objects=[{"mesh": "cube", "material": {"type": "pplastic", "alpha": {"uniform": [0.1, 0.5]}}}],
             light={"environment": {"sky": {"elevation": {"uniform": [5, 80]}}}},
         )  # fmt: skip
-        dataset = Dataset(recipe, range(600), ["stokes"])
+        dataset = Dataset(recipe, range(300), ["stokes"])
         sizes = []
         for index, _ in enumerate(dataset):
-            if index % 100 == 99:
+            if index % 50 == 49:
                 sizes.append(resident())
-        # Pools make the size vary by several MB; 300 pictures of 64 KB that were kept would add 19 MB.
+        # Pools make the size vary by several MB; 150 pictures of 147 KB that were kept would add 22 MB.
         self.assertLess(min(sizes[3:]), max(sizes[:3]) + 8e6, sizes)
 
 

@@ -58,7 +58,7 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
     return nicol_render(scene, &camera, &options, framebuffer);
 }
 
-/// Renders the tent first without a Shortage, then with one at about sixty of the allocations.
+/// Renders the tent first without a Shortage, then with one at about thirty of the allocations.
 void render_in_shortages(nicol_context context, const Tent& tent, const Variant& variant, Reach reach) {
     std::vector<float> expected;
     std::int64_t allocations = 0, failed = 0;
@@ -74,7 +74,7 @@ void render_in_shortages(nicol_context context, const Tent& tent, const Variant&
                 allocations = none.count();
             }
             expected = read_all(framebuffer);
-            step = std::max<std::int64_t>(1, allocations / 60);
+            step = std::max<std::int64_t>(1, allocations / 30) | 1;
             MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
         } else {
             // A new thread has yet to make the memory that threads keep.

@@ -15,10 +15,10 @@ namespace {
 Scene balls_on_plate(const EnvironmentPtr& light, const glm::dmat3& rotation = glm::dmat3(1)) {
     Scene scene;
     const glm::dmat4 all(rotation);
-    scene.add({.mesh = test::fine_sphere(),
+    scene.add({.mesh = test::coarse_sphere(12),
                .material = pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}, .alpha = 0.2}),
                .to_world = all * at(0.2, 1, 0.1)});
-    scene.add({.mesh = test::rectangle(24),
+    scene.add({.mesh = test::rectangle(12),
                .material = test::some_metal(0.3),
                .to_world = all * test::plate_at(0, 3)});
     scene.add({.mesh = test::coarse_sphere(8),

@@ -55,7 +55,7 @@ IMAGE_TEST_CASE("highlights smaller than a pixel are as bright as by the referen
         scene.add_light(one.light);
         RenderOptions rays = with(1);
         rays.method = Method::reference;
-        rays.samples = 4096;
+        rays.samples = 1024;
         const StokesImage expected = render(scene, rays);
         for (const int samples : {1, 8}) {
             CAPTURES(std::string(one.what), samples);

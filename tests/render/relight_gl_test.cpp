@@ -111,7 +111,7 @@ IMAGE_TEST_CASE("another scale of the environment relights nothing") {
                 Studio render(context), other(context);
                 render(scene, options);
                 CHECK(render.statistics.vertices_relit > 0);
-                for (const double scale : {0.3, 7.0, 1e-6, 1e6}) {
+                for (const double scale : {7.0, 1e-6, 1e6}) {
                     CAPTURES(static_cast<int>(executor), static_cast<int>(method), where, scale);
                     scene.set_environment(light, glm::dmat3(1), scale);
                     const StokesImage image = render(scene, options);
