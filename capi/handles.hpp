@@ -106,7 +106,7 @@ struct Film {
     bool luminance;              ///< one channel is requested
     std::uint32_t sample_count;  ///< 0: the file does not say
     ReconstructionFilter filter;
-    int max_depth;  ///< as in IntegratorDescription
+    int max_depth;  ///< see IntegratorDescription
     std::uint32_t aovs;
 };
 

@@ -812,14 +812,14 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
 /* Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
  * light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
  * the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
- * method with a max_depth above 2, smooth glass and smooth metal bend the light of lamps to other surfaces,
- * as unpolarized light: 131,072 paths, found anew when lamps, bright parts of the environment or surfaces
- * change or turn, make caustics. Without, and
- * through rough glass, the light of lamps passes straight on, dimmed in each channel as unpolarized light is;
- * the light of the environment passes straight on and is dimmed equally in all channels, by their mean. Metal
- * of a roughness below 0.25 shows the environment as glass bends it. The dense method and shading at vertices
- * return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing outwards, and
- * bodies must not overlap. */
+ * method with a max_depth above 2, smooth glass and smooth metal bend the light of local lights to other
+ * surfaces, as unpolarized light: 131,072 paths, found anew when local lights, bright parts of the
+ * environment or surfaces change or turn, make caustics. Without, and through rough glass, the light of local
+ * lights passes straight on, dimmed in each channel as unpolarized light is; the light of the environment
+ * passes straight on and is dimmed equally in all channels, by their mean. Metal of a roughness below 0.25
+ * shows the environment as glass bends it. The dense method and shading at vertices return
+ * NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing outwards, and bodies
+ * must not overlap. */
 typedef struct nicol_dielectric {
     uint32_t struct_size;
     /* 0, the default: the surface bounds a body, and refracts the light that it transmits. 1: the surface is

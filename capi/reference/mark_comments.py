@@ -8,7 +8,7 @@ COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 RULE = re.compile(r"/\* -{10,} (?P<title>.*?) \*/")
 FUNCTION = re.compile(r"NICOL_API [\w ]+?\*? ?(?P<name>nicol_\w+)\(")
 SHARED = re.compile(r"\n(NICOL_API nicol_result nicol_\w+_(retain|release|init)\()")
-# What the header says once, at its top, of every kind of object and struct.
+# Texts that the header says once, at its top, for every kind of object and struct.
 SHARED_TEXTS = {
     "retain": "Adds a reference.",
     "release": "Drops a reference; NULL does nothing.",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What samples, filters, vertices or pixels and qualities cost, and how much better they are, for scene files of nicol-render.
+"""Costs and gains of samples, filters, vertices or pixels and qualities, for scene files of nicol-render.
 
 usage: advice.py SCENE... [--size N] [--truth N]
 

@@ -92,7 +92,7 @@ Image difference(const Image& all, const Image& direct) {
     return out;
 }
 
-/// What a picture costs.
+/// Cost of a picture.
 struct Costs {
     double bake;  ///< seconds before the first shading
     double light,

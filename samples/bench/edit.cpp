@@ -301,8 +301,8 @@ private:
                  double difference = std::nan("")) {
         std::vector<double> still, still_cpu;
         for (int i = 0; i < kRounds; ++i) {
-            // What a further view shows may have to be baked. A view between two that were rendered needs
-            // hardly anything.
+            // A further view may show vertices that are still to be baked. A view between two that were
+            // rendered needs hardly anything.
             film_.frame([&] { film_.orbit(); });
             const Frame frame = film_.frame([&] { film_.orbit(-0.005); });
             still.push_back(frame.ms);

@@ -58,7 +58,7 @@ struct Truth {
     };
     struct Tails {
         Tail s0;
-        Tail linear;  ///< of the vector (s1, s2)
+        Tail linear;  ///< tail of the vector (s1, s2)
     };
     [[nodiscard]] Tails tails(const Image& image) const;
 

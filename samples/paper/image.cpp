@@ -36,10 +36,10 @@ Fault fault_at(const Image& image, std::size_t pixel) {
     return fault;
 }
 
-PhysicalRange physical_range(const Image& image) {
+RealizableRange realizable_range(const Image& image) {
     const std::vector<std::uint8_t>& mask = image.object;
     double pixels = 0;
-    PhysicalRange range;
+    RealizableRange range;
     for (std::size_t i = 0; i < mask.size(); ++i) {
         if (mask[i] == 0) continue;
         const Fault fault = fault_at(image, i);

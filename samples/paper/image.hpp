@@ -19,11 +19,11 @@ struct Image {
 Image read_image(nicol_framebuffer framebuffer);
 
 /// Shares of an object's pixels in which some channel leaves the physically realizable range (Eq. 70).
-struct PhysicalRange {
+struct RealizableRange {
     double negative = 0;       ///< s0 < 0
     double overpolarized = 0;  ///< s0 >= 0 and more polarization than light
 };
-PhysicalRange physical_range(const Image& image);
+RealizableRange realizable_range(const Image& image);
 
 /// Violation of Eq. 70 in some channel of a pixel, beyond the rounding of light of about 1.
 enum class Fault { none, negative, overpolarized };

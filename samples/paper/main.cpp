@@ -45,7 +45,7 @@ public:
         // All images share the exposure of the last one, because they are compared.
         const Colouring colours(expose(images_.back()), std::min<std::size_t>(options_.size, 512));
         write_ablation(colours);
-        write_physical_range(colours);
+        write_realizable_range(colours);
         write_tables();
     }
 
@@ -90,7 +90,7 @@ private:
         StepResult result{.step = step, .cost = {}};
         images_.push_back(image(View::front, step.recipe));
         check(nicol_framebuffer_write_exr(target_.get(), path(step.file).c_str()));
-        const PhysicalRange range = physical_range(images_.back());
+        const RealizableRange range = realizable_range(images_.back());
         result.negative = range.negative;
         result.overpolarized = range.overpolarized;
         if (truth_) result.errors = relative_errors(images_.back(), *truth_, truth_mask());
@@ -117,7 +117,7 @@ private:
         sheet.write(path("fig20_ablation.png"));
     }
 
-    void write_physical_range(const Colouring& colours) {
+    void write_realizable_range(const Colouring& colours) {
         say("with and without eq. 70");
         Sheet sheet({"s0", "s1", "s2", "eq. 70 fails"});
         for (const View view : {View::front, View::side}) {

@@ -33,7 +33,7 @@ struct Options {
     std::string environment;         ///< file; empty: the environment of the scene
     double rotate_environment = 0;   ///< degrees about the world's y, counter-clockwise seen from above
     std::vector<double> look_at;     ///< empty, or place and target of the camera, and its fov in degrees
-    double exposure = 0;             ///< of --images, stops
+    double exposure = 0;             ///< exposure of --images, stops
     std::string images;              ///< folder; empty: none
     std::vector<double> polarizers;  ///< angles of polarizer images in that folder, degrees
     std::string mosaic;              ///< file of the raw image; empty: none

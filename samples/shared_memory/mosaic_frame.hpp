@@ -16,7 +16,7 @@ struct MosaicHeader {
     std::uint32_t width;      ///< pixels
     std::uint32_t height;     ///< pixels
     std::uint32_t mosaic;     ///< NICOL_MOSAIC_...
-    std::uint32_t bits;       ///< of a number
+    std::uint32_t bits;       ///< bits per number
     std::uint32_t reserved;   ///< 0
     std::uint64_t sequence;   ///< odd while the writer changes the frame
     std::uint64_t frame;      ///< number of the frame, from 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parts of a pixel see mirrored where a texture perturbs normals more finely than the pixel.
+// Mirrored surroundings of a pixel's parts, for textures that perturb normals more finely than the pixel.
 #pragma once
 
 #include <cstddef>

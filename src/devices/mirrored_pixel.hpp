@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pixels that show surfaces see in them as in mirrors.
+// Surroundings that the surface in a pixel shows as a mirror.
 #pragma once
 
 #include <array>

@@ -97,7 +97,7 @@ class RayScene;
 /// A scene of one surface as part of another scene.
 struct RayPart {
     std::shared_ptr<const RayScene> scene;
-    std::vector<TriangleNumbers> numbers;  ///< as RaySurface::numbers, not empty
+    std::vector<TriangleNumbers> numbers;  ///< see RaySurface::numbers; not empty
 };
 
 /// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that

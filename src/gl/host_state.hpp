@@ -20,7 +20,7 @@ public:
     static constexpr int kTextureUnits = 16;
     static constexpr int kStorageBindings = 16;
     static constexpr int kDrawBuffers = 4;
-    static constexpr int kBlendedBuffers = 8;  ///< as many as every driver has
+    static constexpr int kBlendedBuffers = 8;  ///< number that every driver has
 
     HostState(const Context::State& state, bool restores);
     ~HostState();

@@ -25,7 +25,7 @@ struct Bitmap {
 /// Form of the values of images of 8 bits.
 enum class BitmapValues : std::uint8_t {
     floats,
-    codes  ///< as they are in the file, in a quarter of the memory
+    codes  ///< codes of the file, in a quarter of the memory
 };
 
 /// Returns whether the suffix is one of a bitmap: .png, .jpg, .jpeg, .bmp, .tga, .hdr or .rgbe, in any case.

@@ -15,7 +15,7 @@ namespace nicol::scene {
 
 /// Model of a rough_conductor() whose index depends on the channels of the light.
 struct MetalModel final : MaterialModel, LateParameters<RoughConductorParameters> {
-    std::string metal;          ///< of named_metals(); empty: eta and k hold
+    std::string metal;          ///< name in named_metals(); empty: eta and k hold
     ColorDescription eta{0.0};  ///< real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< imaginary part, 0 to 100
     FilmDescription film;       ///< film on the facets

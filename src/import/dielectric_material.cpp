@@ -34,7 +34,7 @@ ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
     read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
     source.notices.add_once(
         source.node,
-        "glass dims the light of lamps behind it, and focuses no light, but by the reference method");
+        "glass dims the light of local lights behind it, and focuses none, but by the reference method");
     return model;
 }
 

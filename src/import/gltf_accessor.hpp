@@ -31,7 +31,7 @@ private:
     struct Elements {
         const unsigned char* first = nullptr;  ///< null: all zero
         std::size_t stride = 0;
-        int type = 0;  ///< of a component
+        int type = 0;  ///< type of a component
     };
     [[nodiscard]] Elements elements(int view, std::size_t offset, std::size_t count, int type,
                                     std::size_t components) const;

@@ -22,7 +22,7 @@ public:
         std::size_t node;
         bool skinned;  ///< whether the transform of the node has no effect
         std::shared_ptr<const Mesh> mesh;
-        GltfBounds bounds;  ///< of the mesh
+        GltfBounds bounds;  ///< bounds of the mesh
         const tinygltf::Primitive* primitive = nullptr;
         std::string where;                      ///< name of the primitive
         std::optional<GltfMaterial> deforming;  ///< its material, if the primitive deforms

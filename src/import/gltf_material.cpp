@@ -357,9 +357,9 @@ private:
     GltfTextureUse base_;    ///< base colour or diffuse colour, with coverage
     GltfTextureUse facets_;  ///< metal and roughness, or specular colour and glossiness
     GltfTextureUse normal_;
-    GltfTextureUse directions_;               ///< of anisotropy
+    GltfTextureUse directions_;               ///< directions of anisotropy
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
-    GltfTransmission transmission_;           ///< what passes the surface
+    GltfTransmission transmission_;           ///< light that passes the surface
     GltfIridescence iridescence_;
     GltfClearcoat coat_;
     FilmDescription film_;  ///< film on the parts of the material that are read now

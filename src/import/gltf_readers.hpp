@@ -61,7 +61,7 @@ struct GltfSurface {
 struct GltfMaterial {
     MaterialDescription description;
     int texcoord_set = 0;
-    std::optional<EmissionDescription> emission;  ///< of an unlit surface; none: it reflects light
+    std::optional<EmissionDescription> emission;  ///< emission of an unlit surface; none: it reflects light
 };
 [[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
                                               GltfTextures& textures, GltfNotices& notices);

@@ -19,16 +19,16 @@ namespace nicol {
 struct LoadedScene {
     Scene scene;
     Camera camera;
-    int width = 0;  ///< of the film or its crop, pixels
+    int width = 0;  ///< width of the film or its crop, pixels
     int height = 0;
     bool luminance = false;                ///< the film has one channel
     std::uint32_t sample_count = 0;        ///< samples of a pixel that the file asks for; 0: it does not say
-    ReconstructionFilter filter;           ///< of the film
-    int max_depth = 0;                     ///< as in IntegratorDescription
+    ReconstructionFilter filter;           ///< filter of the film
+    int max_depth = 0;                     ///< see IntegratorDescription
     std::uint32_t aovs = 0;                ///< bits of AovBit that the file asks for
     std::optional<MovingScene> animation;  ///< none: nothing moves
     std::vector<FileRecord> files;         ///< all that were read, as they were then; the scene file first
-    std::vector<std::string> notices;      ///< what has no effect or was assumed, one line each
+    std::vector<std::string> notices;      ///< elements without effect, and assumptions; one line each
 };
 
 /// Reads a scene file and all files that it names. The format is glTF for the suffixes .gltf and .glb, and

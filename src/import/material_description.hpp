@@ -30,7 +30,7 @@ struct MaterialDescription {
     template <std::derived_from<MaterialModel> Model>
     MaterialDescription(Model of) : model(std::make_shared<const Model>(std::move(of))) {}
 
-    std::string id;                              ///< of the outermost bsdf; empty when the file gives none
+    std::string id;                              ///< id of the outermost bsdf; empty when the file gives none
     bool twosided = false;                       ///< the back reflects as the front does
     std::shared_ptr<const MaterialModel> model;  ///< not null
 };

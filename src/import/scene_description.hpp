@@ -41,7 +41,7 @@ struct SensorDescription {
     glm::dmat4 to_world{1.0};
     double near_clip = 1e-2;
     double far_clip = 1e4;
-    int width = 768;  ///< of the film
+    int width = 768;  ///< width of the film
     int height = 576;
     struct Crop {
         glm::ivec2 offset{0};  ///< pixels right and down
@@ -52,7 +52,7 @@ struct SensorDescription {
     glm::dvec2 principal_point_offset{0.0};
     bool luminance = false;          ///< the film has one channel, the luminance
     std::uint32_t sample_count = 0;  ///< samples of a pixel that the sampler asks for; 0: there is no sampler
-    ReconstructionFilter filter;     ///< of the film
+    ReconstructionFilter filter;     ///< filter of the film
 };
 
 /// Returns the horizontal field of view of an image, in degrees. fov: degrees along `axis`; aspect: width
@@ -83,7 +83,7 @@ struct ShapeDescription {
         mesh
     };
     Kind kind = Kind::file;
-    std::string id;  ///< of an instance, its own; empty when the file gives none
+    std::string id;  ///< own id of an instance; empty when the file gives none
     std::filesystem::path
         filename;  ///< file: of any format that load_mesh() reads; others: see load_curves(), load_sdf_grid()
     std::size_t index = 0;   ///< file: of its meshes, where the format holds several
@@ -168,7 +168,7 @@ struct SceneDescription {
     std::vector<ElementDescription> elements;  ///< those that do not stand directly before an area light
     std::shared_ptr<const SceneAnimation> animation;  ///< null: nothing moves
     std::vector<FileRecord> files;                    ///< the scene file and those that it includes
-    std::vector<std::string> notices;                 ///< what was read and not followed, one sentence each
+    std::vector<std::string> notices;                 ///< elements read and not followed; one sentence each
 };
 
 /// Largest number of shapes of one scene, including instances, whose memory the size of the files does not

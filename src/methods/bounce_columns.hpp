@@ -24,7 +24,7 @@ inline constexpr int kLocalBounceOrder = 5;
     return distant ? kBounceOrder : kLocalBounceOrder;
 }
 /// Returns the order of vertices where light bounces, which bounces may raise. order: of the options; chosen:
-/// whether it may be chosen, as it always may under lamps alone, of which vertices keep nothing else.
+/// whether it may be chosen, as it always may under local lights alone, of which vertices keep nothing else.
 [[nodiscard]] constexpr int order_with_bounces(int order, bool distant, bool chosen) {
     return distant && !chosen ? order : std::max(order, highest_bounce_order(distant));
 }
@@ -40,7 +40,7 @@ struct BounceInput {
     const TransferInput& scene;
     const LinkedSurfaces& surfaces;
     const BounceTables& tables;
-    const LightLayout& layout;  ///< of the bounced light and the tables
+    const LightLayout& layout;  ///< layout of the bounced light and the tables
 };
 
 /// Bounced light of local lights, by channel group, in the columns of the group's channels.

@@ -99,7 +99,7 @@ struct BounceSeries {
 
 /// Size of a series' lights.
 struct SeriesSize {
-    std::size_t numbers;  ///< of the layout
+    std::size_t numbers;  ///< numbers of the layout
     std::size_t columns;
 };
 

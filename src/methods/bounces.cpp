@@ -36,7 +36,7 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
     std::vector<glm::vec3> unit_normals;
     unit_normals.reserve(geometry.normals.size());
     for (const glm::vec3& normal : geometry.normals) unit_normals.push_back(glm::normalize(normal));
-    // A vertex at the border of a lamp lies in the lamp's plane, from which it gets no light.
+    // A vertex at the border of an emissive surface lies in its plane, from which it gets no light.
     const std::vector<glm::vec3> origins = bake_origins(
         {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
         unit_normals);

@@ -28,7 +28,7 @@ constexpr std::array<SplitStencil, 3> kUsualStencils{{{0, 1, 0.05}, {1, 2, 0.1},
 // Returns the relative time of a frame in which the light rotates: the cube of low + 1, plus the cost of
 // looking up filtered light (nicol-bench frame) and of samples of local lights.
 double cost(int low, bool split, bool local_lights) {
-    // Samples of one lamp take a hundred times as long as an order of 9; much less would do here.
+    // Samples of one light take a hundred times as long as an order of 9; much less would do here.
     constexpr double of_lights = 1000;
     return std::pow(low + 1.0, 3) + (split ? 60 : 0) + (local_lights ? of_lights : 0);
 }

@@ -40,7 +40,7 @@ public:
         double rms = 0;  ///< RMS of s0 at the vertices, for light of scale 1
     };
 
-    /// What has orders.
+    /// Light and terms of materials that have orders.
     struct Projected {
         EnvironmentPtr light;  ///< part of the scene's environment
         SampledTerms sampled;  ///< terms of materials that have no orders

@@ -135,7 +135,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     RenderOptions lighting = options;
     if (needs_bake(scene, given) && surfaces.visibility == nullptr && !scene.transmits())
         lighting.shadows = false;
-    // Where nothing hides anything, lobes reflect no other surface.
+    // Lobes reflect no other surface if nothing hides anything.
     const bool follows_lobes = follows_rays && bounces > 0 && wants_lobes(options);
     if (follows_rays) smooth_.update(visibility_.surfaces(), drawn_rays_, follows_lobes);
     local_lights_.update(
@@ -156,7 +156,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // If bounces alone are polarized, they stay apart: direct light then needs no orders of s1 and s2.
     const bool apart =
         bounces > 0 && pixels_ && follows_rays && (smooth_.any() ? smooth_.mirrors() : !polarized);
-    // If bounces stay apart, lamps alone leave no orders to direct light.
+    // If bounces stay apart, local lights alone leave no orders to direct light.
     direct_layout_.emplace(apart && !has_distant ? 0 : light_.layout().order(),
                            apart && !polarized ? LightKind::unpolarized : light_.layout().kind());
     TransferInput input{
@@ -235,7 +235,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
 PredictedError Pipeline::predicted_error(const RenderRun& run, const Projection& projection) {
     if (!local_lights_.any()) lighting_ = {};
-    // Where all light of surfaces comes through glass, no pixel's own values are lit.
+    // No pixel's own values are lit if all light of surfaces comes through glass.
     if (run.lighting.values > 0 || run.surfaces.covered > 0) lighting_ = run.lighting;
     if (run.statistics.pixels_shaded + run.statistics.vertices_shaded > 0) {
         followed_ = run.followed;

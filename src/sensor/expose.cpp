@@ -179,7 +179,7 @@ private:
     const StokesImage& light_;
     Analysers analysers_;
     bool coloured_;
-    std::vector<double> electrons_;  ///< of each channel, for s0 = 1 behind the polarizer
+    std::vector<double> electrons_;  ///< electrons of each channel, for s0 = 1 behind the polarizer
 };
 
 /// Means of all pixels from light, which must be finite, with row-wise access to neighbours. Beyond the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of lamps that smooth surfaces reflect or refract to other surfaces, kept as photons.
+// Light of local lights that smooth surfaces reflect or refract to other surfaces, kept as photons.
 #pragma once
 
 #include <cstddef>

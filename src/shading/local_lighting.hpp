@@ -41,7 +41,7 @@ struct LitPoints {
     std::span<const glm::vec3> unperturbed;
     /// Start points of shadow rays, see LocalLighting::needs_origins(). Empty: no rays begin.
     std::span<const glm::vec3> origins;
-    /// What the points' pixels see mirrored, see needs_pixels(). Null: points cover nothing.
+    /// Mirrored surroundings of the points' pixels, see needs_pixels(). Null: points cover nothing.
     const MirroredPixels* mirrored = nullptr;
     /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
     std::span<const MirroredParts> parts;
@@ -94,7 +94,7 @@ public:
         /// Surfaces that hide light from mirrors, and from the lobes of LitPoints::rays_pass_glass; null:
         /// those that cast shadows.
         std::shared_ptr<const RayScene> before_mirrors;
-        /// Glass that the light of lamps, and that of the environment's samples, passes; null: none.
+        /// Glass that light of local lights, and of the environment's samples, passes; null: none.
         std::shared_ptr<const GlassShadows> glass, glass_of_environment;
         /// Light of `local` and of `extracted` that smooth surfaces send to others; null: none is known.
         std::shared_ptr<const FocusedLight> focused, focused_extracted;

@@ -156,7 +156,7 @@ struct RenderOptions {
     /// Camera rays per pixel of the reference method, 1 to 2^20. Powers of two are stratified best.
     int samples = 256;
     /// Largest depth of paths of light (scene/path_depth.hpp), 1..kUnlimitedDepth. The dense method computes
-    /// direct light only; bounced light of Method::factored has kBounceOrder, under lamps alone
+    /// direct light only; bounced light of Method::factored has kBounceOrder, under local lights alone
     /// kLocalBounceOrder, and needs shadows.
     int max_depth = kDirectLightDepth;
     /// Seed of the reference method and of light samples. Equal seeds give equal images for any number of

@@ -83,9 +83,9 @@ struct RenderRun {
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
     /// Whether memory is limited or watched, so that no more may be kept than the estimate says.
     bool saves_memory = false;
-    LightingTally lighting{};  ///< of local lights and sampled terms
-    LightingTally followed{};  ///< of the light that rays find for lobes
-    SurfaceTally surfaces{};   ///< of the image; 0 where threads shade no pixels
+    LightingTally lighting{};  ///< tally of local lights and sampled terms
+    LightingTally followed{};  ///< tally of the light that rays find for lobes
+    SurfaceTally surfaces{};   ///< tally of the image; 0 where threads shade no pixels
 
     void add(const LightingTally& tally) {
         lighting += tally;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that send the light of lamps on to others, and places on them where paths begin.
+// Surfaces that send the light of local lights on to others, and places on them where paths begin.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct FocusingSurface {
     [[nodiscard]] Place place(std::size_t i, std::size_t count) const;
 };
 
-/// Returns whether surfaces of a material send the light of lamps on to others: smooth glass, and mirrors
-/// without textures.
+/// Returns whether surfaces of a material send the light of local lights on to others: smooth glass, and
+/// mirrors without textures.
 [[nodiscard]] bool focuses_light(const Material& material);
 
 /// Returns the surfaces that cast shadows and focus light: one for each side of a two-sided surface.

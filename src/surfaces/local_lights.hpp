@@ -37,8 +37,8 @@ public:
     /// Surfaces that rays follow.
     struct Followed {
         const SmoothSurfaces* smooth;  ///< null: none
-        /// Largest number of reflections and refractions of light on its way from a lamp to another surface;
-        /// 0: glass dims the light of lamps, and bends none.
+        /// Largest number of reflections and refractions of light on its way from a local light to another
+        /// surface; 0: glass dims the light of local lights, and bends none.
         int events;
     };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paths of light from lamps over smooth surfaces to other surfaces.
+// Paths of light from local lights over smooth surfaces to other surfaces.
 #pragma once
 
 #include <cstddef>

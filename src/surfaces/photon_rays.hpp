@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays of light that travels from lamps over smooth surfaces to others.
+// Rays of light that travels from local lights over smooth surfaces to others.
 #pragma once
 
 #include <memory>

@@ -78,7 +78,7 @@ public:
     /// Returns the glass that light passes on its way to other surfaces; null: none. Holds until the surfaces
     /// change.
     [[nodiscard]] const std::shared_ptr<const GlassShadows>& glass() const noexcept { return glass_; }
-    /// Returns the glass for shadow rays of lamps, which smooth glass that bends light stops. Null as
+    /// Returns the glass for shadow rays of local lights, which smooth glass that bends light stops. Null as
     /// glass().
     [[nodiscard]] const std::shared_ptr<const GlassShadows>& unbent_glass() const noexcept {
         return unbent_glass_;

@@ -23,8 +23,8 @@ public:
 
     /// Solid angles of a direction.
     struct SolidAngles {
-        float scalar;     ///< of s0
-        float polarized;  ///< of s1, s2 and s3
+        float scalar;     ///< solid angle for s0
+        float polarized;  ///< solid angle for s1, s2 and s3
     };
     /// Adds lights from a direction, in solid angles, to their numbers, [number][Lanes of lights]. stokes:
     /// [component][Lanes of lights], as many components (1, 3 or 4) as `components`. With one component, only

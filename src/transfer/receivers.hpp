@@ -25,7 +25,7 @@ struct Receivers {
 
     std::vector<std::uint32_t> vertices;  ///< vertex of each receiver
     std::vector<SurfaceLink> links;       ///< links of all receivers, in their order
-    std::vector<Blend> blends;            ///< of each vertex
+    std::vector<Blend> blends;            ///< blend of each vertex
 };
 
 /// Chooses the receivers of a geometry. Each vertex with a link is a receiver, or close to one relative to

@@ -21,8 +21,9 @@ namespace nicol {
 
 /// Coefficients of visibility that VisibilityProduct computes on the way and keeps in addition.
 struct KeptCoefficients {
-    VisibilityBlocks* blocks = nullptr;  ///< of as many vertices and twice the light's order; null: none
-    std::span<std::uint8_t> missing;     ///< set to 0 for each vertex that is set; may be empty
+    VisibilityBlocks* blocks =
+        nullptr;  ///< blocks for equally many vertices and twice the light's order; null: none
+    std::span<std::uint8_t> missing;  ///< set to 0 for each vertex that is set; may be empty
 };
 
 /// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames.

@@ -23,7 +23,7 @@ struct BakeGlass {
     /// Returns the transmittance of all glass on a ray, 0 to 1, for unpolarized light. Threads call it at
     /// once.
     std::function<double(const Ray& ray)> transmittance;
-    std::vector<glm::uvec3> triangles;  ///< of the glass, as indices into the bake's positions
+    std::vector<glm::uvec3> triangles;  ///< triangles of the glass, as indices into the bake's positions
     std::string key;                    ///< everything that the transmittance depends on but the triangles
 };
 

@@ -32,7 +32,7 @@ public:
 
     /// Point between two vertices.
     struct Point {
-        glm::vec3 origin;   ///< of its rays
+        glm::vec3 origin;   ///< origin of its rays
         glm::vec3 normal;   ///< unit
         std::size_t given;  ///< vertex before refinement of the object that the point belongs to
     };

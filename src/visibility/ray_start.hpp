@@ -10,8 +10,8 @@
 namespace nicol {
 
 struct RayStart {
-    glm::vec3 normal;  ///< of any length
-    glm::vec3 shift;   ///< from the point to the start of its rays
+    glm::vec3 normal;  ///< normal of any length
+    glm::vec3 shift;   ///< vector from the point to the start of its rays
 };
 
 /// Returns the start of rays beside the middle of an edge.

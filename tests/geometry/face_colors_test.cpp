@@ -87,7 +87,7 @@ TEST_CASE("attributes of PLY files become the colours that are asked for") {
     const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
     const TemporaryFolder folder;
     struct Case {
-        std::string properties;  ///< of vertices and, in the place of a list, of faces
+        std::string properties;  ///< properties of vertices and, in the place of a list, of faces
         std::vector<glm::vec3> values;
     };
     const std::vector<glm::vec3> one{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, none;

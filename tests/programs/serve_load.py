@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What nicol-serve takes on this machine: images a second at its capacity and beyond, latency, memory.
+"""Load that nicol-serve takes on this machine: images a second at its capacity and beyond, latency, memory.
 
 Fails where an answer is neither an image nor a 503 that says when to come again. With --library the service is compared with the
 bare renderer in one process, the two taking turns."""

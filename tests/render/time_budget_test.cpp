@@ -121,8 +121,8 @@ TEST_CASE("95 of 100 frames keep a budget that the cheapest picture keeps, and n
             CHECK(std::count_if(times.begin(), end, [&](double t) { return t <= 1.2 * ms; }) >= 95);
             // After the search, an effort that is too slow is tried once in a hundred frames at most.
             CHECK(changes({steps.begin() + 20, steps.end()}) <= 20);
-            // What is given up is needed, as far as estimates are right: efforts of less loss leave no room
-            // for two such frames.
+            // Nothing is given up without need, as far as estimates are right: efforts of less loss leave no
+            // room for two such frames.
             const std::vector<Effort> all = efforts(wish(ms), true);
             for (int e = 0; e < steps.back(); ++e) {
                 const Effort& better = all[static_cast<std::size_t>(e)];

@@ -116,7 +116,7 @@ Mesh ball_in_box() {
 struct Scene {
     std::string name;
     Mesh mesh;
-    double most;  ///< of all rays, the part that may be traced
+    double most;  ///< part of all rays that may be traced
 };
 std::vector<Scene> scenes() {
     return {{"sphere", make_sphere(), 1e-3},

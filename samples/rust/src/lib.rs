@@ -8,7 +8,7 @@ use abi::*;
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
-/// What a call that failed has to say.
+/// Failure of a call.
 #[derive(Debug, Clone)]
 pub struct Error {
     /// One of `NICOL_ERROR_...`.

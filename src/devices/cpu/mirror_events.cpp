@@ -129,8 +129,8 @@ void SmoothChains::mirror(const Chain& chain, const Place& place, std::vector<Ch
 
 void SmoothChains::follow_lobes(const Chain& chain, const Place& place, std::vector<Chain>& rest,
                                 Ends& ends) const {
-    // What the ray meets reflects light once more. Where no corner of the triangle sees another surface, a
-    // ray would not, either.
+    // The surface that the ray meets reflects light once more. A ray from a triangle meets nothing if no
+    // corner of the triangle sees another surface.
     if (chain.events >= std::min(input_.bounces, input_.smooth_events) || place.point.occluded == 0) return;
     const Appearance seen = appearance_at(place, chain.received[2]);
     if (!(seen.viewer.z > 0)) return;
