@@ -41,7 +41,7 @@ const Command commands[] = {
     {"lights",
      bench_lights,
      {"--backend", "--cache", "--size", "--samples", "--seconds", "--csv", "--json"},
-     "errors of local lights and of lamps that are split off their environment, and what they\n"
+     "errors of local lights and of lights extracted from their environment, and what they\n"
      "              add to a frame"},
     {"textures",
      bench_textures,
@@ -159,7 +159,7 @@ const Help option_help[] = {
     {"--samples", "--samples N     of each of the two reference images, a pixel; default 256"},
     {"--orders",
      "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B;\n                  "
-     "materials and textures: likewise; without it 4 and 64, 9 and 64)"},
+     "materials, textures: the same; without it 4 and 64, 9 and 64)"},
     {"--only", "--only TEXT     measures the rows whose names contain it"},
     {"--converged",
      "--converged N   errors against the factored method to order N too, 1 to 32: truncation alone"},

@@ -9,7 +9,7 @@ std::string Recipe::name() const {
         text += std::to_string(top);
     }
     if (shade_at == NICOL_SHADE_AT_PIXELS) text += ", at pixels";
-    if (split != 0) text += ", lamps split off";
+    if (split != 0) text += ", lights extracted";
     if (samples > 1) text += ", " + std::to_string(samples) + " samples";
     return shadows ? text : text + ", no shadows";
 }

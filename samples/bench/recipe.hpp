@@ -21,7 +21,7 @@ struct Recipe {
     nicol_shade_at shade_at = NICOL_SHADE_AT_VERTICES;
     std::uint32_t samples = 1;  ///< number per pixel
     nicol_components components = NICOL_COMPONENTS_ALL;
-    int split = 0;  ///< most lamps that become local lights; no effect with `defaults`
+    int split = 0;  ///< most extracted lights, which become local lights; no effect with `defaults`
 
     /// Returns a name like "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;
