@@ -1655,10 +1655,11 @@ typedef struct nicol_render_options {
     /* Largest predicted error of the orders left out and of shadows between baked vertices if both orders are
      * automatic, finite and not negative, default 0.03: the RMSE of s0, s1 and s2 relative to the RMS of s0.
      * The fastest orders are chosen, order_low up to 16, that keep what shadows leave of the tolerance, or
-     * half of it. The error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders
-     * are as high as fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic
-     * orders are 4 and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0,
-     * and beside an order that is given. */
+     * half of it; if no orders do, those whose next steps would take longer than their error is worth. The
+     * error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders are as high as
+     * fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic orders are 4
+     * and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0, and beside an
+     * order that is given. */
     double tolerance;
     nicol_components components; /* Stokes components of the image, default all */
     /* Sum of NICOL_OPTIMISATION_... to disable, in order to measure what the optimisations save; default 0:

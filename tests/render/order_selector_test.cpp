@@ -267,7 +267,28 @@ TEST_CASE("a new reflectance integrates no terms, and its orders are those of a 
     }
 }
 
-TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
+TEST_CASE("without orders within the tolerance, error is not reduced at any cost") {
+    struct Row {
+        double alpha;
+        bool highest;  // whether each order is worth its time
+    };
+    for (const Row row : {Row{0.005, false}, Row{0.1, true}}) {
+        const MaterialPtr material = pplastic({.alpha = row.alpha});
+        const Scene scene = spheres(material, material, natural_light(false, 64));
+        KeptProjection projection;
+        OrderSelector selector;
+        SceneGeometry surfaces;
+        surfaces.update(scene);
+        const OrderSelector::Orders orders = selector.choose(
+            scene, {scene.environment(), SampledTerms::none}, test::without_shadows(surfaces), true,
+            {.high_orders = HighOrders::none, .tolerance = 1e-9}, MemoryLimit::kNone, projection);
+        CAPTURES(row.alpha, orders.low, orders.error);
+        CHECK((orders.low == OrderSelector::kHighestLow) == row.highest);
+        CHECK(orders.low > 0);
+    }
+}
+
+TEST_CASE("a tolerance that cannot be reached is reported") {
     const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
     KeptProjection projection;
     OrderSelector selector;
