@@ -91,7 +91,7 @@ SCENES = {
     "statue of 19,944 vertices": (
         'origin="2.8,1.6,6.6" target="0,0.1,0"',
         envmap("venice.exr") + mesh("obj", "buddha.obj", plastic(0.3, grey(0.4))) + mesh("obj", "plane.obj", plastic(0.5, grey(0.4))),
-        {"order_low": 6, "bake_directions": 1024},
+        {"order_low": 4, "bake_directions": 512, "shade_at": nicol.SHADE_AT_VERTICES},
     ),
 }
 
