@@ -11,21 +11,27 @@
 namespace nicol {
 namespace {
 
-/// Ends of the edges of a set, by place. Most triangles have no edge of the set, and most of these have fewer
-/// than two such places, which is found without a search.
+/// Vertices at the ends of the edges of a set. Most triangles have fewer than two such corners, and then no
+/// edge of the set, which is found without a search.
 class EdgeEnds {
 public:
-    EdgeEnds(const EdgeBisection::Edges& edges, std::uint32_t places) : ends_(places, 0) {
-        for (const EdgeBisection::Edge edge : edges) add(edge);
+    /// places: of the vertices.
+    EdgeEnds(std::span<const std::uint32_t> places, std::uint32_t place_count)
+        : places_(places), at_places_(place_count, 0), at_vertices_(places.size(), 0) {}
+    void add(EdgeBisection::Edge edge) { at_places_[edge >> 32] = at_places_[edge & 0xFFFFFFFFU] = 1; }
+    /// Takes over the edges that were added since the last call.
+    void update() {
+        for (std::size_t v = 0; v < places_.size(); ++v) at_vertices_[v] = at_places_[places_[v]];
     }
-    void add(EdgeBisection::Edge edge) { ends_[edge >> 32] = ends_[edge & 0xFFFFFFFFU] = 1; }
-    /// Returns whether a triangle of these places may have an edge of the set.
-    [[nodiscard]] bool on_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-        return ends_[a] + ends_[b] + ends_[c] >= 2;
+    /// Returns whether a triangle may have one of the edges.
+    [[nodiscard]] bool on_triangle(const glm::uvec3& t) const {
+        return at_vertices_[t.x] + at_vertices_[t.y] + at_vertices_[t.z] >= 2;
     }
 
 private:
-    std::vector<std::uint8_t> ends_;
+    std::span<const std::uint32_t> places_;
+    std::vector<std::uint8_t> at_places_;
+    std::vector<std::uint8_t> at_vertices_;
 };
 
 /// Weights of a triangle's corners at the vertices of its parts. Each vertex is computed once a triangle.
@@ -66,15 +72,18 @@ EdgeBisection::EdgeBisection(std::span<const glm::vec3> positions, std::span<con
       triangles_(triangles.begin(), triangles.end()),
       sources_(triangles.size()) {
     std::iota(sources_.begin(), sources_.end(), 0U);
-    std::vector<std::uint32_t> sorted(positions.size());
-    std::iota(sorted.begin(), sorted.end(), 0U);
-    const auto coordinates = [&](std::uint32_t v) {
-        return std::array{positions_[v].x, positions_[v].y, positions_[v].z};
+    struct Vertex {
+        std::array<float, 3> coordinates;
+        std::uint32_t number;
     };
-    std::ranges::sort(sorted, {}, coordinates);
+    std::vector<Vertex> sorted;
+    sorted.reserve(positions.size());
+    for (const glm::vec3& p : positions)
+        sorted.push_back({{p.x, p.y, p.z}, static_cast<std::uint32_t>(sorted.size())});
+    std::ranges::sort(sorted, {}, &Vertex::coordinates);
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-        if (i > 0 && coordinates(sorted[i]) != coordinates(sorted[i - 1])) ++place_count_;
-        places_[sorted[i]] = place_count_;
+        if (i > 0 && sorted[i].coordinates != sorted[i - 1].coordinates) ++place_count_;
+        places_[sorted[i].number] = place_count_;
     }
     ++place_count_;
 }
@@ -92,18 +101,23 @@ EdgeBisection::Edge EdgeBisection::longest(const glm::uvec3& t) const {
     return std::max({extent(t.x, t.y), extent(t.y, t.z), extent(t.z, t.x)}).edge;
 }
 
+bool EdgeBisection::any_edge(const glm::uvec3& t, const Edges& edges) const {
+    return edges.contains(edge(t.x, t.y)) || edges.contains(edge(t.y, t.z)) || edges.contains(edge(t.z, t.x));
+}
+
 void EdgeBisection::close(Edges& edges) const {
-    EdgeEnds ends(edges, place_count_);
+    EdgeEnds ends(places_, place_count_);
+    edges.edges_.for_each([&ends](Edge edge, std::uint8_t) { ends.add(edge); });
     for (bool more = true; more;) {
         more = false;
-        for (const glm::uvec3& t : triangles_) {
-            if (!ends.on_triangle(places_[t.x], places_[t.y], places_[t.z])) continue;
-            if (!edges.contains(edge(t.x, t.y)) && !edges.contains(edge(t.y, t.z)) &&
-                !edges.contains(edge(t.z, t.x))) {
-                continue;
-            }
+        ends.update();
+        edges.triangles_.clear();
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            const glm::uvec3& t = triangles_[i];
+            if (!ends.on_triangle(t) || !any_edge(t, edges)) continue;
+            edges.triangles_.push_back(i);
             const Edge first = longest(t);
-            if (!edges.insert(first).second) continue;
+            if (!edges.insert(first)) continue;
             ends.add(first);
             more = true;
         }
@@ -111,10 +125,9 @@ void EdgeBisection::close(Edges& edges) const {
 }
 
 std::size_t EdgeBisection::cost(const Edges& edges) const {
-    const EdgeEnds ends(edges, place_count_);
     KeyTable<std::uint8_t> pairs;
-    for (const glm::uvec3& t : triangles_) {
-        if (!ends.on_triangle(places_[t.x], places_[t.y], places_[t.z])) continue;
+    for (const std::uint32_t i : edges.triangles_) {
+        const glm::uvec3& t = triangles_[i];
         for (glm::length_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k];
             const std::uint32_t b = t[(k + 1) % 3];
@@ -176,24 +189,36 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
 }
 
 void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points) {
-    const std::vector<glm::uvec3> triangles = std::exchange(triangles_, {});
-    const std::vector<std::uint32_t> sources = std::exchange(sources_, {});
-    triangles_.reserve(triangles.size() + 2 * edges.size());
+    std::swap(triangles_, former_triangles_);
+    std::swap(sources_, former_sources_);
+    triangles_.clear();
+    sources_.clear();
+    triangles_.reserve(former_triangles_.size() + 2 * edges.size());
     sources_.reserve(triangles_.capacity());
-    const EdgeEnds ends(edges, place_count_);
     if (!std::ranges::is_sorted(points, {}, &WantedLength::triangle))
         std::ranges::stable_sort(points, {}, &WantedLength::triangle);
-    auto first = points.begin();
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    auto point = points.begin();
+    std::size_t done = 0;
+    // Triangles before `end` without an edge of the set are kept.
+    const auto keep_before = [&](std::size_t end) {
+        const auto shift = static_cast<std::uint32_t>(triangles_.size() - done);
+        for (; point != points.end() && point->triangle < end; ++point) point->triangle += shift;
+        const auto copy = [&](const auto& from, auto& to) {
+            to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(done),
+                      from.begin() + static_cast<std::ptrdiff_t>(end));
+        };
+        copy(former_triangles_, triangles_);
+        copy(former_sources_, sources_);
+    };
+    for (const std::uint32_t i : edges.triangles_) {
+        keep_before(i);
         const auto last =
-            std::find_if(first, points.end(), [i](const WantedLength& p) { return p.triangle != i; });
-        const glm::uvec3& t = triangles[i];
-        if (ends.on_triangle(places_[t.x], places_[t.y], places_[t.z]))
-            cut(t, sources[i], edges, {first, last});
-        else
-            keep(t, sources[i], {first, last});
-        first = last;
+            std::find_if(point, points.end(), [i](const WantedLength& p) { return p.triangle != i; });
+        cut(former_triangles_[i], former_sources_[i], edges, {point, last});
+        point = last;
+        done = i + 1;
     }
+    keep_before(former_triangles_.size());
     middles_ = {};
     middle_places_ = {};
 }

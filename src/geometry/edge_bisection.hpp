@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 #include "geometry/key_table.hpp"
@@ -32,7 +31,20 @@ class EdgeBisection {
 public:
     /// Two places; the smaller one is in the high half.
     using Edge = std::uint64_t;
-    using Edges = std::unordered_set<Edge>;
+    /// Set of edges.
+    class Edges {
+    public:
+        /// Adds an edge. Returns whether it is new.
+        bool insert(Edge edge) { return edges_.try_emplace(edge, 1).second; }
+        [[nodiscard]] bool contains(Edge edge) const { return edges_.find(edge) != nullptr; }
+        [[nodiscard]] std::size_t size() const noexcept { return edges_.size(); }
+        [[nodiscard]] bool empty() const noexcept { return edges_.size() == 0; }
+
+    private:
+        friend class EdgeBisection;
+        KeyTable<std::uint8_t> edges_;
+        std::vector<std::uint32_t> triangles_;  // triangles with an edge of the set, ascending; see close()
+    };
 
     EdgeBisection(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
@@ -48,9 +60,10 @@ public:
     [[nodiscard]] Edge edge(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] Edge longest(const glm::uvec3& triangle) const;
 
-    /// Adds the edges that have to be split first: the longest of each triangle with an edge of the set.
+    /// Adds the edges that have to be split first: the longest of each triangle with an edge of the set. The
+    /// set is closed then, until another edge is added or triangles are split.
     void close(Edges& edges) const;
-    /// Returns the number of vertices that splitting these edges adds.
+    /// Returns the number of vertices that splitting the edges of a closed set adds.
     [[nodiscard]] std::size_t cost(const Edges& edges) const;
     /// Splits the edges of a closed set. Moves `points`, which lie on these triangles, to the triangles'
     /// parts.
@@ -66,6 +79,7 @@ private:
         auto operator<=>(const Extent&) const = default;
     };
     [[nodiscard]] Extent extent(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] bool any_edge(const glm::uvec3& triangle, const Edges& edges) const;
     [[nodiscard]] std::uint32_t middle(std::uint32_t a, std::uint32_t b);
     // Adds a triangle that is not cut, or a part of one that is.
     void keep(const glm::uvec3& triangle, std::uint32_t source, std::span<WantedLength> points);
@@ -77,6 +91,9 @@ private:
     std::uint32_t place_count_ = 0;
     std::vector<glm::uvec3> triangles_;
     std::vector<std::uint32_t> sources_;
+    // Memory of the triangles before the last split(), for the next one.
+    std::vector<glm::uvec3> former_triangles_;
+    std::vector<std::uint32_t> former_sources_;
     std::vector<glm::uvec2> parents_;
     // State of split(): middle vertices by pair of vertices, and middle places by edge.
     KeyTable<std::uint32_t> middles_;

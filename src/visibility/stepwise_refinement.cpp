@@ -296,11 +296,11 @@ private:
         std::ranges::sort(wrong, std::greater());
         EdgeBisection::Edges edges;
         for (std::size_t count = std::min(wrong.size(), room); count > 0; count /= 2) {
-            edges.clear();
+            edges = {};
             for (std::size_t i = 0; i < count; ++i) edges.insert(wrong[i].edge);
             mesh_.close(edges);
             if (mesh_.cost(edges) <= room) break;
-            edges.clear();
+            edges = {};
         }
         if (edges.empty()) return false;
         mesh_.split(edges, wanted_);
@@ -327,24 +327,29 @@ private:
         rays_ += wanted_.size();
     }
 
-    // Returns the longest edges of triangles that are larger than wanted.
-    [[nodiscard]] std::vector<Wrong> long_edges() const {
+    // Returns the longest edges of triangles that are larger than wanted. Forgets the points of triangles
+    // that are small enough, whose parts are as well.
+    [[nodiscard]] std::vector<Wrong> long_edges() {
         KeyTable<double> longest;
+        auto kept = wanted_.begin();
         // Points of a triangle follow each other once an edge has been split. The shortest length decides.
-        for (auto first = wanted_.begin(); first != wanted_.end();) {
-            const std::uint32_t triangle = first->triangle;
+        for (auto next = wanted_.begin(); next != wanted_.end();) {
+            const auto first = next;
             float wanted = first->length;
-            for (; first != wanted_.end() && first->triangle == triangle; ++first)
-                wanted = std::min(wanted, first->length);
-            const glm::uvec3& t = mesh_.triangles()[triangle];
-            if (!wants(t.x) || !wants(t.y) || !wants(t.z)) continue;
+            for (; next != wanted_.end() && next->triangle == first->triangle; ++next)
+                wanted = std::min(wanted, next->length);
+            const glm::uvec3& t = mesh_.triangles()[first->triangle];
             const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
+            if (here <= std::max(static_cast<double>(wanted), options_.shortest_edge)) continue;
+            kept = kept == first ? next : std::copy(first, next, kept);
+            if (!wants(t.x) || !wants(t.y) || !wants(t.z)) continue;
             const double least = std::max(
                 {static_cast<double>(wanted), shortest(t.x, t.y), shortest(t.y, t.z), shortest(t.z, t.x)});
             if (!(here > least)) continue;
             double& weight = *longest.try_emplace(mesh_.longest(t), 0).first;
             weight = std::max(weight, here * here * here / least);
         }
+        wanted_.erase(kept, wanted_.end());
         std::vector<Wrong> wrong;
         wrong.reserve(longest.size());
         longest.for_each([&](EdgeBisection::Edge edge, double weight) {

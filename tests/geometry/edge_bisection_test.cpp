@@ -133,7 +133,8 @@ TEST_CASE("edges with many triangles and triangles without area are split as oth
     std::vector<WantedLength> points;
     const EdgeBisection::Edge shared = bisection.edge(0, 1);
     CHECK(bisection.edge(0, 5) == shared);
-    EdgeBisection::Edges edges{shared};
+    EdgeBisection::Edges edges;
+    edges.insert(shared);
     bisection.close(edges);
     bisection.split(edges, points);
     const std::map<EdgeBisection::Edge, int> counts = triangles_at_edges(bisection);
