@@ -17,10 +17,11 @@ namespace {
 constexpr std::size_t kFollowedVertices = 4096;
 constexpr std::size_t kFollowedRays = 16;
 
-// Returns the length of the longest edge at each vertex.
-std::vector<float> longest_edges(const BakeGeometry& geometry) {
+// Returns the length of the longest edge at each vertex with wanted[v] != 0.
+std::vector<float> longest_edges(const BakeGeometry& geometry, std::span<const std::uint8_t> wanted) {
     std::vector<float> around(geometry.positions.size(), 0);
     for (const glm::uvec3& t : geometry.triangles) {
+        if (wanted[t.x] + wanted[t.y] + wanted[t.z] == 0) continue;
         for (glm::length_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k];
             const std::uint32_t b = t[(k + 1) % 3];
@@ -39,12 +40,15 @@ std::vector<WantedLength> blocked_lengths(const BakeGeometry& geometry, const Di
                                           const Visibility& baked, const RayScene& scene,
                                           std::span<const std::uint32_t> occluded,
                                           std::span<const glm::vec3> shifts) {
-    const std::vector<float> around = longest_edges(geometry);
     const std::size_t count = std::min(occluded.size(), kFollowedVertices);
+    const auto followed = [&](std::size_t i) { return occluded[i * occluded.size() / count]; };
+    std::vector<std::uint8_t> wanted(geometry.positions.size(), 0);
+    for (std::size_t i = 0; i < count; ++i) wanted[followed(i)] = 1;
+    const std::vector<float> around = longest_edges(geometry, wanted);
     std::vector<WantedLength> found(count * kFollowedRays,
                                     WantedLength{.triangle = 0, .weights{}, .length = 0});
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        const std::uint32_t v = occluded[i * occluded.size() / count];
+        const std::uint32_t v = followed(i);
         const glm::dvec3 origin = glm::dvec3(geometry.positions[v]) + glm::dvec3(shifts[v]);
         std::vector<std::size_t> blocked;
         for (std::size_t b = 0; b < directions.bundles().size(); ++b) {

@@ -41,16 +41,19 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
     };
     RayCounts rays;
     if (const std::optional<Former> point = find(at)) {
-        DisturbedBundles bundles;
-        if (!point->disturbed->find(origin, normal, bundles)) {
-            std::ranges::copy(former_->points.bits(point->point), seen.at(i).begin());
-            seen.set_unoccluded(i, former_->points.unoccluded(point->point));
-            hides = former_->points.hidden(point->point);
-            return {};
+        const std::span bits = former_->points.bits(point->point);
+        const bool unoccluded = former_->points.unoccluded(point->point);
+        thread_local DisturbedBundles bundles;
+        if (point->disturbed->find(origin, normal, bundles)) {
+            rays = traced(FormerBits{.bits = bits, .disturbed = &bundles, .unoccluded = unoccluded});
+        } else {
+            std::ranges::copy(bits, seen.at(i).begin());
+            seen.set_unoccluded(i, unoccluded);
         }
-        rays = traced(FormerBits{.bits = former_->points.bits(point->point),
-                                 .disturbed = &bundles,
-                                 .unoccluded = former_->points.unoccluded(point->point)});
+        if (seen.unoccluded(i) == unoccluded && std::ranges::equal(seen.at(i), bits)) {
+            hides = former_->points.hidden(point->point);
+            return rays;
+        }
     } else if (around.empty()) {
         rays = traced({});
     } else {
