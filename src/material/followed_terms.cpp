@@ -30,10 +30,10 @@ bool follows(const Material& layer, double widest) {
     return sum >= kLeastFollowedReflectance;
 }
 
-FollowedLayer followed_layer(const Material& layer, SampledTerms sampled) {
+FollowedLayer layer_with(const Material& layer, const std::function<bool(const Material&, int)>& has) {
     FollowedLayer out{.material = &layer, .terms = {}, .parts = {}};
     for (int t = 0; t < layer.terms(); ++t) {
-        if (!is_followed(layer, t, sampled)) continue;
+        if (!has(layer, t)) continue;
         out.terms.push_back(t);
         const Lobe lobe = layer.lobe(t);
         auto part = std::ranges::find(out.parts, lobe, &FollowedLayer::Part::lobe);
@@ -56,13 +56,19 @@ bool is_followed(const Material& layer, int term, SampledTerms sampled) {
     return narrow(layer, term) || (!layer.smooth(term) && is_sampled(layer, term, sampled));
 }
 
-std::vector<FollowedLayer> followed_layers(const Material& material, SampledTerms sampled) {
+std::vector<FollowedLayer> layers_with(const Material& material,
+                                       const std::function<bool(const Material&, int)>& has) {
     const SpatialVariation* const variation = material.variation();
-    if (variation == nullptr) return {followed_layer(material, sampled)};
+    if (variation == nullptr) return {layer_with(material, has)};
     std::vector<FollowedLayer> out;
-    for (const MaterialLayer& layer : variation->layers)
-        out.push_back(followed_layer(*layer.material, sampled));
+    out.reserve(variation->layers.size());
+    for (const MaterialLayer& layer : variation->layers) out.push_back(layer_with(*layer.material, has));
     return out;
+}
+
+std::vector<FollowedLayer> followed_layers(const Material& material, SampledTerms sampled) {
+    return layers_with(material,
+                       [=](const Material& layer, int term) { return is_followed(layer, term, sampled); });
 }
 
 }  // namespace nicol

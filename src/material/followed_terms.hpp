@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "material/material.hpp"
@@ -39,6 +40,10 @@ struct FollowedLayer {
     std::vector<int> terms;
     std::vector<Part> parts;  ///< the terms' different lobes
 };
+/// Returns the terms of all layers, in their order, or of the material itself, that has(layer, term) returns
+/// true for. The result refers to the material.
+[[nodiscard]] std::vector<FollowedLayer> layers_with(const Material& material,
+                                                     const std::function<bool(const Material&, int)>& has);
 /// Returns the followed terms of all layers, in their order, or of the material itself. The result refers to
 /// the material.
 [[nodiscard]] std::vector<FollowedLayer> followed_layers(const Material& material, SampledTerms sampled);

@@ -130,12 +130,13 @@ std::vector<float> coverage_at_receivers(const BounceInput& input, RenderRun& ru
     const Bounce bounce(input.scene.geometry, *input.scene.directions, surfaces, input.tables, arrival,
                         input.layout, 0);
     const LinkStokes ones(1, std::vector<glm::vec4>(surfaces.links().size(), glm::vec4(1, 0, 0, 0)));
+    const LobePhotons none;
     constexpr std::array<std::size_t, 1> channel{0};
     const ReflectionRows scalar(input.layout, LightKind::unpolarized, 1);
     LightColumns columns(surfaces.receivers(), numbers, 1);
     run.workers.for_blocks(surfaces.blocks(), "bake", run.progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b)
-            bounce.gather(b, ones, channel, {.scalar = scalar, .all = scalar}, nullptr, columns);
+            bounce.gather(b, {ones, none}, channel, {.scalar = scalar, .all = scalar}, nullptr, columns);
     });
     std::vector<float> out(surfaces.receivers() * numbers);
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = columns.value(i / numbers, i % numbers, 0);
@@ -248,7 +249,7 @@ double BounceColumns::left(std::span<const float> light) const {
     return sum;
 }
 
-LitSeries BounceColumns::sum(const BounceInput& input, const LinkStokes& lit, RenderRun& run) const {
+LitSeries BounceColumns::sum(const BounceInput& input, const ArrivingLamps& lit, RenderRun& run) const {
     const Passes passes(input, "relight");
     LitSeries out;
     for (const std::vector<std::size_t>& channels : groups_)

@@ -72,7 +72,7 @@ public:
     /// Returns the sum over receivers and channels of the estimated squared error, see BounceSeries::left.
     [[nodiscard]] double left(std::span<const float> light) const;
     /// Computes the bounced light of local lights.
-    [[nodiscard]] LitSeries sum(const BounceInput& input, const LinkStokes& lit, RenderRun& run) const;
+    [[nodiscard]] LitSeries sum(const BounceInput& input, const ArrivingLamps& lit, RenderRun& run) const;
 
     [[nodiscard]] int rounds() const noexcept { return rounds_; }
     [[nodiscard]] std::size_t bytes() const noexcept;

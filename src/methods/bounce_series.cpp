@@ -30,7 +30,8 @@ Bounce::Bounce(const WorldGeometry& geometry, const DirectionSet& directions, co
 
 template <class Leave>
 void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
-                    const Leave& leave) const {
+                    const Leave& leave, const LobePhotons* photons,
+                    std::span<const std::size_t> channels) const {
     const std::size_t lanes = out.lanes(), numbers = out.numbers(), first = block * kLanes;
     const std::size_t count = std::min(kLanes, surfaces_.receivers() - first);
     std::array<glm::vec3, kLanes> normals;
@@ -54,6 +55,7 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
                          arriving, lanes, &stokes[i * arriving * lanes], out.at(link.receiver));
         }
     }
+    if (photons != nullptr) add_photons(block, *photons, channels, components, out);
     const bool scalar = numbers == scalar_layout_.size();
     const LightLayout& layout = scalar ? scalar_layout_ : layout_;
     const FrameRotation& rotation = scalar ? scalar_rotation_ : rotation_;
@@ -65,6 +67,22 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
     add_mirror_image(layout, light, 0);
     rotation.into_world(normals_of, light, 0);
     put_columns(light, 0, first, out);
+}
+
+void Bounce::add_photons(std::size_t block, const LobePhotons& photons, std::span<const std::size_t> channels,
+                         std::size_t components, LightColumns& out) const {
+    const std::size_t lanes = out.lanes();
+    const std::span<Lanes> stokes = work_space<LobePhotons, Lanes>(components * lanes);
+    for (std::size_t k = photons.first(block); k < photons.last(block); ++k) {
+        std::ranges::fill(stokes, Lanes{});
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            for (std::size_t p = 0; p < components; ++p)
+                stokes[p * lanes + c / kLanes][c % kLanes] =
+                    photons.stokes(k, channels[c])[static_cast<glm::length_t>(p)];
+        const LobePhotons::Part& part = photons.part(k);
+        arrival_.add(part.direction, {.scalar = 1, .polarized = 1}, components, lanes, stokes.data(),
+                     out.at(part.receiver));
+    }
 }
 
 const VertexLight& Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows) const {
@@ -147,10 +165,10 @@ void Bounce::reflect_all(std::size_t block, const BounceRows& rows, const LightC
            });
 }
 
-void Bounce::gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
+void Bounce::gather(std::size_t block, const ArrivingLamps& lamps, std::span<const std::size_t> channels,
                     const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const {
     const std::size_t components = rows.all.components(), lanes = out.lanes();
-    arrive(block, false, components, out, [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* to) {
+    const auto leave = [&](const LinkedSurfaces::Batch& batch, bool coarse, Lanes* to) {
         if (bounced != nullptr)
             add_reflected(batch, coarse ? rows.all : rows.scalar, false, nullptr, bounced, to);
         const std::size_t arriving = coarse ? components : 1;
@@ -158,8 +176,9 @@ void Bounce::gather(std::size_t block, const LinkStokes& stokes, std::span<const
             for (std::size_t c = 0; c < channels.size(); ++c)
                 for (std::size_t p = 0; p < arriving; ++p)
                     to[(i * arriving + p) * lanes + c / kLanes][c % kLanes] +=
-                        stokes[channels[c]][batch.first + i][static_cast<glm::length_t>(p)];
-    });
+                        lamps.links[channels[c]][batch.first + i][static_cast<glm::length_t>(p)];
+    };
+    arrive(block, false, components, out, leave, &lamps.photons, channels);
 }
 
 namespace {

@@ -11,6 +11,7 @@
 
 #include "material/response_table.hpp"
 #include "methods/linked_surfaces.hpp"
+#include "methods/lobe_photons.hpp"
 #include "shading/reflection_rows.hpp"
 #include "stage/workers.hpp"
 #include "transfer/arriving_light.hpp"
@@ -25,6 +26,12 @@ using BounceTables = std::map<MaterialPtr, ResponseTable>;
 struct BounceRows {
     const ReflectionRows& scalar;  ///< from s0 to s0
     const ReflectionRows& all;     ///< from all numbers of the layout to all components
+};
+
+/// Light of lamps that surfaces reflect to receivers.
+struct ArrivingLamps {
+    const LinkStokes& links;     ///< that arrives by links
+    const LobePhotons& photons;  ///< that narrow lobes send
 };
 
 /// Bounces of one channel. Works on blocks of sixteen receivers; immutable, so that threads share it.
@@ -49,18 +56,23 @@ public:
     /// at vertices and of bounced light; null: there is none.
     void reflect_all(std::size_t block, const BounceRows& rows, const LightColumns& light,
                      const LightColumns* bounced, LightColumns& out) const;
-    /// Sets the lights that arrive at a block of receivers, by all links, to given Stokes vectors of links
-    /// and what surfaces reflect of bounced light; null: there is none. channels: one for each column.
-    void gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
+    /// Sets the lights that arrive at a block of receivers, by all links, to the light of lamps and what
+    /// surfaces reflect of bounced light; null: there is none. channels: one for each column.
+    void gather(std::size_t block, const ArrivingLamps& lamps, std::span<const std::size_t> channels,
                 const BounceRows& rows, const LightColumns* bounced, LightColumns& out) const;
 
 private:
+    /// photons: light that arrives without links, for the columns of `channels`; null: none.
     /// leave(batch, coarse, stokes): adds the Stokes vectors that leave along a batch's links, [link]
     /// [component][Lanes of columns]: all components of coarse links, s0 of others. only_coarse: whether
     /// light arrives by coarse links alone.
     template <class Leave>
     void arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
-                const Leave& leave) const;
+                const Leave& leave, const LobePhotons* photons = nullptr,
+                std::span<const std::size_t> channels = {}) const;
+    /// Adds photons to the light that arrives at a block of receivers.
+    void add_photons(std::size_t block, const LobePhotons& photons, std::span<const std::size_t> channels,
+                     std::size_t components, LightColumns& out) const;
     /// Adds what leaves along the links of a batch of light at vertices and of bounced light at receivers, of
     /// which one may be null.
     void add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, bool only_coarse,

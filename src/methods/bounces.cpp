@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "harmonics/layout_gradient.hpp"
+#include "methods/lobe_photons.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
 #include "simd/lane_transpose.hpp"
@@ -87,16 +88,6 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
 
 // Vertices for one receiver, of which there are more only in small scenes, see find_receivers().
 constexpr std::uint64_t kVerticesOfReceiver = 4;
-
-TriangleSides sides_of(const WorldGeometry& geometry) {
-    TriangleSides out;
-    for (const TriangleBatch& batch : triangle_batches(geometry)) {
-        const bool back = batch.two_sided && is_back(geometry, geometry.ranges[batch.range]);
-        std::vector<std::uint32_t>& to = back ? out.backs : out.fronts;
-        for (std::size_t t = batch.first; t < batch.last; ++t) to.push_back(static_cast<std::uint32_t>(t));
-    }
-    return out;
-}
 
 // Returns the components that a light has, which may be fewer than those of its layout; none: it is dark.
 std::optional<LightKind> kind_of(const PshVector& light) {
@@ -214,7 +205,8 @@ void Bounces::light_links(const TransferInput& input, RenderRun& run) {
             });
         run.statistics.light_rays += rays.combine(std::plus<>());
         local_ = local_light_at_receivers(input, *links_, run);
-        lit = columns_->sum({input, *links_, *tables_.tables(), *layout_}, stokes, run);
+        const LobePhotons photons(input, *links_, run);
+        lit = columns_->sum({input, *links_, *tables_.tables(), *layout_}, {stokes, photons}, run);
     });
 }
 

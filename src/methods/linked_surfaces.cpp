@@ -9,6 +9,7 @@
 
 #include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
+#include "methods/lobe_photons.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/plain_materials.hpp"
@@ -133,6 +134,16 @@ std::size_t LinkedSurfaces::bytes() const noexcept {
            weights_.size() * sizeof(LayerWeights);
 }
 
+TriangleSides sides_of(const WorldGeometry& geometry) {
+    TriangleSides out;
+    for (const TriangleBatch& batch : triangle_batches(geometry)) {
+        const bool back = batch.two_sided && is_back(geometry, geometry.ranges[batch.range]);
+        std::vector<std::uint32_t>& to = back ? out.backs : out.fronts;
+        for (std::size_t t = batch.first; t < batch.last; ++t) to.push_back(static_cast<std::uint32_t>(t));
+    }
+    return out;
+}
+
 glm::vec3 normal_at_end(const WorldGeometry& geometry, const SurfaceLink& link, const glm::vec3& direction) {
     return normalized_or(
         interpolated(geometry.normals, geometry.triangles[link.triangle], corner_weights(link)), -direction);
@@ -146,13 +157,12 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
                              const LinkedSurfaces& surfaces, const LinkedSurfaces::Batch& batch,
                              const LocalLighting& lighting, LinkStokes& out) {
     const MaterialPtr& material = geometry.ranges[batch.range].material;
-    // Mirrors and narrow lobes show a light in so few links that their vertices would be far too bright, and
-    // all others too dark.
     std::vector<MaterialPtr> wide;
     std::vector<const Material*> layers;
     for (const MaterialPtr& layer : plain_materials(material)) {
-        wide.push_back(some_terms(
-            layer, [&](int term) { return layer->isotropic().lobe_width(term) >= kNarrowestLobe; }));
+        wide.push_back(some_terms(layer, [&](int term) {
+            return !sends_photons(*layer, term) && layer->isotropic().lobe_width(term) >= kNarrowestLobe;
+        }));
         layers.push_back(wide.back().get());
     }
     const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();

@@ -67,6 +67,8 @@ private:
     bool grey_ = true;
 };
 
+/// Returns the triangles of a geometry by the side that they show.
+[[nodiscard]] TriangleSides sides_of(const WorldGeometry& geometry);
 /// Returns the weights of the corners of a link's triangle at its end.
 [[nodiscard]] inline glm::vec3 corner_weights(const SurfaceLink& link) {
     return {1 - link.b1 - link.b2, link.b1, link.b2};

@@ -27,4 +27,12 @@ struct LobeChoice {
                                       std::span<const glm::vec3> weights, const glm::dvec3& towards_viewer,
                                       const LobeChoice& choice, std::span<Mueller> out);
 
+/// Returns the direction towards the viewer, in the surface's frame, and writes to out[channel] the matrix
+/// from the light's power to that of the light that the followed terms send in all directions, weighted so
+/// that the mean over all choices is what they send. Returns zero, and zero matrices, if the chosen facet
+/// sends nothing. Everything else is as for sample_lobes().
+[[nodiscard]] glm::dvec3 scatter_by_lobes(std::span<const FollowedLayer> layers,
+                                          std::span<const glm::vec3> weights, const glm::dvec3& towards_light,
+                                          const LobeChoice& choice, std::span<Mueller> out);
+
 }  // namespace nicol

@@ -9,6 +9,7 @@
 #include "material/spatial_variation.hpp"
 #include "shading/lit_batch.hpp"
 #include "shading/pixel_places.hpp"
+#include "shading/shadow_rays.hpp"
 #include "simd/lane_transpose.hpp"
 
 namespace nicol {
@@ -62,6 +63,23 @@ LocalLighting LocalLighting::with_light(LightSourcePtr source, std::size_t index
     lights.glass = lights.glass_of_environment = lights_.glass_of_environment;
     lights.first_index = static_cast<std::uint32_t>(index);
     return {std::move(lights), rays_, static_cast<int>(samples_), 0};
+}
+
+std::vector<const LightSource*> LocalLighting::sources() const {
+    std::vector<const LightSource*> out;
+    out.reserve(lights_.local.size() + lights_.extracted.size());
+    for (const auto* const lights : {&lights_.local, &lights_.extracted})
+        for (const LightSourcePtr& light : *lights) out.push_back(light.get());
+    return out;
+}
+
+std::uint32_t LocalLighting::reached(LaneLight& light, std::uint32_t points, const LaneVectors& positions,
+                                     const LaneVectors& origins, std::uint64_t& rays) const {
+    if (rays_ == nullptr) return points;
+    ShadowRays shadows(*rays_, lights_.glass.get(), positions, origins);
+    points = shadows.visible(light, points);
+    rays += shadows.count();
+    return points;
 }
 
 bool LocalLighting::needs_pixels(const Material& material) const {

@@ -115,6 +115,12 @@ public:
     [[nodiscard]] bool any_extracted() const noexcept { return !lights_.extracted.empty(); }
     /// Returns whether there is a local or an extracted light.
     [[nodiscard]] bool any_source() const noexcept { return lights_.any_source(); }
+    /// Returns the local and the extracted lights.
+    [[nodiscard]] std::vector<const LightSource*> sources() const;
+    /// Returns the bits of `points` that a light sample reaches, and dims the light that passes glass.
+    /// positions, origins: of the points and of the rays that leave them. Adds the rays to the count.
+    [[nodiscard]] std::uint32_t reached(LaneLight& light, std::uint32_t points, const LaneVectors& positions,
+                                        const LaneVectors& origins, std::uint64_t& rays) const;
     /// Returns the terms that reflect samples of the environment.
     [[nodiscard]] SampledTerms sampled() const noexcept {
         return lights_.environment ? lights_.environment->sampled() : SampledTerms::none;

@@ -38,6 +38,13 @@ glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle, const g
     return unit_or_zero(square > 0 ? along - glm::dot(along, normal) / square * normal : along);
 }
 
+Frame frame_along(const glm::dvec3& normal, const glm::dvec3& tangent) {
+    const glm::dvec3 x = tangent - glm::dot(tangent, normal) * normal;
+    const double length = glm::length(x);
+    if (!(length > 1e-6)) return theta_phi_frame(normal);
+    return {x / length, glm::cross(normal, x / length), normal};
+}
+
 std::vector<glm::vec3> vertex_tangents(const WorldGeometry& geometry) {
     const auto anisotropic = [](const VertexRange& range) { return range.material->anisotropic(); };
     if (std::ranges::none_of(geometry.ranges, anisotropic)) return {};

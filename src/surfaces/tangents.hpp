@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "polarization/stokes.hpp"
 #include "shading/normal_variation.hpp"
 #include "surfaces/geometry.hpp"
 
@@ -25,6 +26,10 @@ namespace nicol {
 /// none.
 [[nodiscard]] glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle,
                                 const glm::vec3& weights);
+
+/// Returns the surface's frame whose z is the unit normal and whose x is as nearly along a tangent as
+/// possible; any x if the tangent is 0.
+[[nodiscard]] Frame frame_along(const glm::dvec3& normal, const glm::dvec3& tangent);
 
 /// Returns, for each vertex, the mean x axis over its triangles, unit or 0. Empty if no material is
 /// anisotropic.

@@ -27,81 +27,6 @@ std::size_t choice_in_part(std::size_t vertex, std::size_t part, std::size_t cou
 
 }  // namespace
 
-/// Triangles of a geometry that rays meet.
-class LinkSearch::Triangles {
-public:
-    Triangles(const BakeGeometry& geometry, std::span<const std::uint32_t> triangles)
-        : numbers_(triangles), corners_(corners_of(geometry, triangles)), rays_(rays_of(geometry)) {}
-
-    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const {
-        std::optional<RayHit> hit = rays_.intersect(ray);
-        if (hit) hit->triangle = numbers_[hit->triangle];
-        return hit;
-    }
-
-private:
-    static std::vector<glm::uvec3> corners_of(const BakeGeometry& geometry,
-                                              std::span<const std::uint32_t> triangles) {
-        std::vector<glm::uvec3> out;
-        out.reserve(triangles.size());
-        for (const std::uint32_t triangle : triangles) out.push_back(geometry.triangles[triangle]);
-        return out;
-    }
-    [[nodiscard]] RayScene rays_of(const BakeGeometry& geometry) const {
-        Presence present;
-        if (geometry.present) {
-            present = [numbers = numbers_, &all = geometry.present](std::uint32_t triangle, float b1,
-                                                                    float b2) {
-                return all(numbers[triangle], b1, b2);
-            };
-        }
-        const RaySurface surface{
-            .positions = geometry.positions, .triangles = corners_, .present = std::move(present)};
-        return RayScene(std::span(&surface, 1));
-    }
-
-    std::span<const std::uint32_t> numbers_;
-    std::vector<glm::uvec3> corners_;
-    RayScene rays_;
-};
-
-/// Search for the points that rays from vertices meet.
-class LinkSearch::Points {
-public:
-    Points(const BakeGeometry& geometry, const TriangleSides& sides)
-        : geometry_(geometry), fronts_(geometry, sides.fronts) {
-        if (!sides.backs.empty()) backs_.emplace(geometry, sides.backs);
-    }
-
-    // Returns the first point of a surface that faces the ray; none if something without light hides it.
-    [[nodiscard]] std::optional<RayHit> find(const glm::vec3& origin, const glm::vec3& direction) const {
-        Ray ray{.origin = glm::dvec3(origin), .direction = glm::dvec3(direction)};
-        std::optional<RayHit> hit = fronts_.intersect(ray);
-        if (!hit || faces(*hit, direction)) return hit;
-        if (!backs_) return std::nullopt;
-        // The back of a two-sided surface lies in the same place.
-        constexpr double around = 1e-5;
-        ray.nearest = (1 - around) * hit->distance;
-        ray.farthest = (1 + around) * hit->distance;
-        hit = backs_->intersect(ray);
-        if (!hit || faces(*hit, direction)) return hit;
-        return std::nullopt;
-    }
-
-private:
-    [[nodiscard]] bool faces(const RayHit& hit, const glm::vec3& direction) const {
-        const glm::uvec3& corners = geometry_.triangles[hit.triangle];
-        const glm::dvec3 first(geometry_.positions[corners.x]);
-        const glm::dvec3 normal = glm::cross(glm::dvec3(geometry_.positions[corners.y]) - first,
-                                             glm::dvec3(geometry_.positions[corners.z]) - first);
-        return glm::dot(normal, glm::dvec3(direction)) < 0;
-    }
-
-    const BakeGeometry& geometry_;
-    Triangles fronts_;
-    std::optional<Triangles> backs_;
-};
-
 LinkSearch::LinkSearch(const BakeGeometry& geometry, const TriangleSides& sides,
                        const DirectionSet& directions, const Visibility& visibility)
     : directions_(directions),
@@ -110,7 +35,7 @@ LinkSearch::LinkSearch(const BakeGeometry& geometry, const TriangleSides& sides,
     normals_.reserve(geometry.normals.size());
     for (const glm::vec3& normal : geometry.normals) normals_.push_back(glm::normalize(normal));
     origins_ = bake_origins(geometry, normals_);
-    points_ = std::make_unique<const Points>(geometry, sides);
+    points_ = std::make_unique<const SurfacePoints>(geometry, sides);
 }
 
 LinkSearch::~LinkSearch() = default;
@@ -130,7 +55,8 @@ float LinkSearch::find_blocked(std::size_t vertex, std::size_t first, std::size_
 
 float LinkSearch::add(std::size_t vertex, SurfaceLink link, std::vector<SurfaceLink>& links) const {
     const std::optional<RayHit> hit =
-        points_->find(origins_[vertex], directions_.directions()[link.direction]);
+        points_->find({.origin = glm::dvec3(origins_[vertex]),
+                       .direction = glm::dvec3(directions_.directions()[link.direction])});
     if (!hit) return 0;
     link.triangle = hit->triangle;
     link.b1 = static_cast<float>(hit->b1);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "transfer/surface_points.hpp"
 #include "visibility/bake.hpp"
 #include "visibility/visibility.hpp"
 
@@ -22,12 +23,6 @@ struct SurfaceLink {
     float solid_angle;        ///< solid angle of the blocked directions that the link stands for
     /// Solid angle that the link stands for where coarse links serve alone; 0: the link is not coarse.
     float coarse_solid_angle;
-};
-
-/// Triangles of a geometry by the side that they show.
-struct TriangleSides {
-    std::vector<std::uint32_t> fronts;  ///< one-sided triangles and the fronts of two-sided surfaces
-    std::vector<std::uint32_t> backs;   ///< the backs of two-sided surfaces
 };
 
 /// Number of strata of directions over the sphere, each with one coarse link at most.
@@ -59,9 +54,6 @@ public:
     void refine(std::size_t vertex, std::vector<SurfaceLink>& links) const;
 
 private:
-    class Triangles;
-    class Points;
-
     /// Sets blocked to the blocked directions first <= d < last of a vertex. Returns their solid angle.
     float find_blocked(std::size_t vertex, std::size_t first, std::size_t last,
                        std::vector<std::uint32_t>& blocked) const;
@@ -73,7 +65,7 @@ private:
     std::size_t stratum_size_;  // directions of a stratum
     std::vector<glm::vec3> normals_;
     std::vector<glm::vec3> origins_;
-    std::unique_ptr<const Points> points_;
+    std::unique_ptr<const SurfacePoints> points_;
 };
 
 }  // namespace nicol

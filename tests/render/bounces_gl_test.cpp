@@ -4,6 +4,7 @@
 #include "image_difference.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
+#include "render/textured.hpp"
 #include "scene/path_depth.hpp"
 
 using namespace nicol;
@@ -137,6 +138,51 @@ IMAGE_TEST_CASE("bounced light is polarized as that of rays") {
         polarization(render(scene, {.method = Method::reference, .samples = 1024, .max_depth = 6}));
     const double direct = rms_difference(polarization(render(scene, bouncing(2, 8))), truth);
     CHECK(rms_difference(polarization(render(scene, bouncing(6, 8))), truth) < 0.4 * direct);
+}
+
+IMAGE_TEST_CASE("narrow lobes send the light of lamps on as by rays") {
+    test::Studio render(context, 32, 24);
+    const struct {
+        double alpha, alpha_v;
+        LocalLight::Kind lamp;
+    } rows[] = {{0.05, 0, LocalLight::Kind::spot},
+                {0.2, 0, LocalLight::Kind::spot},
+                {0.05, 0.12, LocalLight::Kind::spot},
+                {0.08, 0, LocalLight::Kind::directional}};
+    for (const auto& row : rows) {
+        CAPTURE(row.alpha);
+        CAPTURE(row.alpha_v);
+        const bool spot = row.lamp == LocalLight::Kind::spot;
+        const MaterialPtr metal =
+            rough_conductor({.eta = {{0.2, -3.0}}, .alpha = row.alpha, .alpha_v = row.alpha_v});
+        Scene scene;
+        // The lamp lights the wall's front alone, and the floor has the light that the wall sends.
+        static const auto flat = test::with_texcoords(make_rectangle(4));
+        scene.add({.mesh = flat, .material = metal, .to_world = kBack});
+        scene.add(
+            {.mesh = test::rectangle(32), .material = diffuse({0.8}), .to_world = test::plate_at(-1, 2)});
+        const glm::dvec3 place(0, 4, 0), target(0, 1, -2);
+        scene.add_light(
+            {.kind = row.lamp,
+             .value = {spot ? 40.0 : 2.0},
+             .to_world = glm::inverse(glm::lookAt(place, 2.0 * place - target, glm::dvec3(0, 1, 0))),
+             .cutoff_angle = 0.15,
+             .beam_width = 0.12});
+        // The camera sees equal areas of the floor in all pixels, nearly.
+        const Camera camera = test::camera_at({0.1, 9, 0}, {0, -1, 0});
+        // Light that is reflected once, and twice.
+        const auto bounced = [&](const RenderOptions& twice) {
+            RenderOptions once = twice;
+            once.max_depth = 2;
+            StokesImage out = render(scene, twice, camera);
+            const StokesImage direct = render(scene, once, camera);
+            for (std::size_t i = 0; i < out.data.size(); ++i) out.data[i] -= direct.data[i];
+            return out;
+        };
+        const StokesImage truth = bounced({.method = Method::reference, .samples = 256, .max_depth = 3});
+        const StokesImage image = bounced(bouncing(3, 8));
+        CHECK(mean_s0(image) / mean_s0(truth) == doctest::Approx(1).epsilon(0.1));
+    }
 }
 
 IMAGE_TEST_CASE("brushed metal reflects what surfaces around it reflect") {

@@ -109,3 +109,41 @@ TEST_CASE("strong lobes are followed if they are narrow, and coats of plastics a
     CHECK_FALSE(follows_lobes(*pplastic({.alpha = 0.1})));
     CHECK_FALSE(follows_lobes(*diffuse({0.5})));
 }
+
+TEST_CASE("the mean over directions that lobes send light in is what they reflect in all directions") {
+    constexpr int size = 400;
+    const Stokes light(1, 0.5, -0.4, 0.3);
+    const struct {
+        double alpha, alpha_v;
+        Distribution distribution;
+        glm::dvec3 towards_light;
+    } rows[] = {{0.1, 0, Distribution::ggx, {0.3, -0.2, 1}},
+                {0.2, 0, Distribution::beckmann, {-0.9, 0.4, 0.6}},
+                {0.08, 0.24, Distribution::beckmann, {0.6, 1.1, 0.7}}};
+    for (const auto& row : rows) {
+        CAPTURE(row.alpha);
+        const MaterialPtr metal = rough_conductor(
+            {.eta = {kIndex}, .alpha = row.alpha, .alpha_v = row.alpha_v, .distribution = row.distribution});
+        const glm::dvec3 from = glm::normalize(row.towards_light);
+        const std::vector<FollowedLayer> layers =
+            layers_with(*metal, [](const Material&, int) { return true; });
+        const std::array weights{glm::vec3(1)};
+        std::array<Mueller, 1> sent;
+        double sum = 0;
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) {
+                const LobeChoice choice{.lobe = 0, .facet = {(i + 0.5) / size, (j + 0.5) / size}};
+                static_cast<void>(scatter_by_lobes(layers, weights, from, choice, sent));
+                sum += (sent[0] * light).x;
+            }
+        double expected = 0;
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < 2 * size; ++j) {
+                const double z = (i + 0.5) / size, rho = std::sqrt(1 - z * z), phi = pi * (j + 0.5) / size;
+                const glm::dvec3 to(rho * std::cos(phi), rho * std::sin(phi), z);
+                for (int t = 0; t < metal->terms(); ++t)
+                    expected += z * metal->weight(t, 0) * (metal->evaluate(t, from, to) * light).x;
+            }
+        CHECK(sum / (size * size) == doctest::Approx(expected * pi / (size * size)).epsilon(0.005));
+    }
+}

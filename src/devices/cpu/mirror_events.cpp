@@ -32,14 +32,6 @@ void add_mirrors(const Material& material, const glm::dvec3& towards_viewer, con
         [&](int term) { return material.smooth(term); }, out);
 }
 
-// Returns the x axis of a surface's frame whose z is the unit normal, as nearly along a tangent as possible.
-Frame frame_along(const glm::dvec3& normal, const glm::dvec3& tangent) {
-    const glm::dvec3 x = tangent - glm::dot(tangent, normal) * normal;
-    const double length = glm::length(x);
-    if (!(length > 1e-6)) return theta_phi_frame(normal);
-    return {x / length, glm::cross(normal, x / length), normal};
-}
-
 }  // namespace
 
 SmoothChains::Appearance SmoothChains::appearance_at(const Place& place,

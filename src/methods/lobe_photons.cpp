@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+#include "methods/lobe_photons.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "material/followed_terms.hpp"
+#include "material/spatial_variation.hpp"
+#include "polarization/mueller.hpp"
+#include "shading/light_samples.hpp"
+#include "shading/lobe_sample.hpp"
+#include "surfaces/focusing_surfaces.hpp"
+#include "surfaces/local_lights.hpp"
+#include "surfaces/tangents.hpp"
+#include "surfaces/triangle_offset.hpp"
+#include "transfer/nearest_directions.hpp"
+#include "transfer/surface_points.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t kPaths = std::size_t{1} << 15;
+constexpr std::size_t kGroups = kPaths / kLanes;  // sixteen paths begin together
+// Share of the paths that begin evenly over the surfaces. All others begin where links end.
+constexpr double kEvenly = 0.1;
+// Least cosine of a photon's direction to the surface that it reaches. Surfaces reflect little of light that
+// comes from below it, whose radiance would be noise.
+constexpr double kLeastCosine = 0.02;
+
+/// Light that reaches receivers, as LobePhotons has it.
+struct Arrivals {
+    std::vector<LobePhotons::Part> parts;
+    std::vector<glm::vec4> stokes;
+    std::uint64_t rays = 0;
+};
+
+/// Point of a surface with narrow lobes where a path begins.
+struct Start {
+    std::uint32_t triangle;
+    std::size_t range;
+    glm::vec3 weights;  // of the triangle's corners
+    glm::dvec3 position;
+    glm::dvec3 facet;  // unit normal of the triangle
+    Frame frame;       // z: unit shading normal
+    double area;       // that the path stands for
+};
+
+// Cross product of two edges of a triangle: along its normal, as long as twice its area.
+glm::dvec3 across(const WorldGeometry& geometry, std::uint32_t triangle) {
+    const glm::uvec3& corners = geometry.triangles[triangle];
+    const glm::dvec3 first(geometry.positions[corners.x]);
+    return glm::cross(glm::dvec3(geometry.positions[corners.y]) - first,
+                      glm::dvec3(geometry.positions[corners.z]) - first);
+}
+
+double area_of_triangle(const WorldGeometry& geometry, std::uint32_t triangle) {
+    return glm::length(across(geometry, triangle)) / 2;
+}
+
+glm::dvec3 normal_of_triangle(const WorldGeometry& geometry, std::uint32_t triangle) {
+    const glm::dvec3 normal = across(geometry, triangle);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
+}
+
+// Returns the area that interpolation gives to each receiver.
+std::vector<double> areas_of_receivers(const WorldGeometry& geometry, const LinkedSurfaces& surfaces) {
+    std::vector<double> out(surfaces.receivers());
+    for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
+        const double third = area_of_triangle(geometry, t) / 3;
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const Receivers::Blend& blend = surfaces.blends()[geometry.triangles[t][k]];
+            for (std::size_t i = 0; i < blend.weights.size(); ++i)
+                if (blend.weights[i] > 0) out[blend.receivers[i]] += third * double{blend.weights[i]};
+        }
+    }
+    return out;
+}
+
+class Tracer {
+public:
+    Tracer(const TransferInput& input, const LinkedSurfaces& surfaces)
+        : input_(input), surfaces_(surfaces), lighting_(input.local_lights->lighting()) {
+        find_starts();
+    }
+
+    [[nodiscard]] bool any() const { return !starts_.areas.empty() && starts_.areas.back() > 0; }
+
+    [[nodiscard]] std::vector<Arrivals> trace(RenderRun& run) {
+        const BakeGeometry baked{.positions = input_.geometry.positions,
+                                 .normals = input_.geometry.normals,
+                                 .triangles = input_.geometry.triangles,
+                                 .present = presence_of(input_.geometry)};
+        const TriangleSides sides = sides_of(input_.geometry);
+        std::optional<SurfacePoints> points;
+        run.workers.run([&] { points.emplace(baked, sides); });
+        points_ = &*points;
+        areas_ = areas_of_receivers(input_.geometry, surfaces_);
+        std::vector<Arrivals> out(kGroups);
+        run.workers.for_blocks(kGroups, "relight", run.progress, [&](std::size_t first, std::size_t last) {
+            for (std::size_t group = first; group < last; ++group) follow(group, out[group]);
+        });
+        return out;
+    }
+
+private:
+    // Finds the triangles with narrow lobes. Paths begin there in proportion to the links that end there,
+    // because other places are seen by few receivers.
+    void find_starts() {
+        const WorldGeometry& geometry = input_.geometry;
+        layers_.resize(geometry.ranges.size());
+        std::vector<double> links(geometry.triangles.size());
+        for (const SurfaceLink& link : surfaces_.links()) ++links[link.triangle];
+        std::vector<double> shares;  // of the light along the normal that narrow lobes reflect
+        double all_links = 0, all_areas = 0;
+        for (const TriangleBatch& batch : triangle_batches(geometry)) {
+            std::vector<FollowedLayer>& layers = layers_[batch.range];
+            layers = layers_with(*geometry.ranges[batch.range].material, sends_photons);
+            double share = 0;
+            for (const FollowedLayer& layer : layers) {
+                double of_layer = 0;
+                for (const FollowedLayer::Part& part : layer.parts) of_layer += part.reflectance;
+                share = std::max(share, of_layer);
+            }
+            if (!(share > 0)) continue;
+            for (std::size_t t = batch.first; t < batch.last; ++t) {
+                starts_.triangles.push_back(static_cast<std::uint32_t>(t));
+                shares.push_back(share);
+                all_links += share * links[t];
+                all_areas += share * area_of_triangle(geometry, starts_.triangles.back());
+            }
+        }
+        if (!(all_links > 0 && all_areas > 0)) return;
+        double sum = 0;
+        starts_.areas.reserve(shares.size());
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            const std::uint32_t t = starts_.triangles[k];
+            sum += shares[k] * ((1 - kEvenly) * links[t] / all_links +
+                                kEvenly * area_of_triangle(geometry, t) / all_areas);
+            starts_.areas.push_back(sum);
+        }
+    }
+
+    [[nodiscard]] Start start_of(std::size_t path) const {
+        const WorldGeometry& geometry = input_.geometry;
+        const FocusingSurface::Place place = starts_.place(path, kPaths);
+        const auto k = static_cast<std::size_t>(std::ranges::lower_bound(starts_.triangles, place.triangle) -
+                                                starts_.triangles.begin());
+        const double paths =
+            kPaths * (starts_.areas[k] - (k > 0 ? starts_.areas[k - 1] : 0)) / starts_.areas.back();
+        const glm::uvec3& corners = geometry.triangles[place.triangle];
+        const glm::dvec3 weights(1 - place.b1 - place.b2, place.b1, place.b2);
+        Start out{.triangle = place.triangle,
+                  .range = range_of(geometry, corners.x),
+                  .weights = glm::vec3(weights),
+                  .position = glm::dvec3(0.0),
+                  .facet = normal_of_triangle(geometry, place.triangle),
+                  .frame = Frame(1.0),
+                  .area = area_of_triangle(geometry, place.triangle) / paths};
+        glm::dvec3 normal(0.0);
+        for (glm::length_t c = 0; c < 3; ++c) {
+            out.position += weights[c] * glm::dvec3(geometry.positions[corners[c]]);
+            normal += weights[c] * glm::dvec3(geometry.normals[corners[c]]);
+        }
+        normal = glm::length(normal) > 0 ? glm::normalize(normal) : out.facet;
+        glm::vec3 along(0);
+        if (geometry.ranges[out.range].material->anisotropic() && !geometry.texcoords.empty())
+            along = tangent(geometry, place.triangle, out.weights);
+        out.frame = frame_along(normal, glm::dvec3(along));
+        return out;
+    }
+
+    // Chooses a light by its brightness at the starts. Returns its index, and sets `probability`.
+    [[nodiscard]] std::size_t light_for(std::span<const Start> starts, double at, double& probability) const {
+        thread_local std::vector<double> sums;
+        sums.clear();
+        double sum = 0;
+        for (const LightSource* const source : sources_) {
+            for (const Start& start : starts) sum += double{source->brightness(glm::vec3(start.position))};
+            sums.push_back(sum);
+        }
+        const auto chosen = static_cast<std::size_t>(std::ranges::upper_bound(sums, at * sum) - sums.begin());
+        const std::size_t light = std::min(chosen, sums.size() - 1);
+        probability = (sums[light] - (light > 0 ? sums[light - 1] : 0)) / sum;
+        return light;
+    }
+
+    void follow(std::size_t group, Arrivals& out) const {
+        std::array<Start, kLanes> starts;
+        LaneVectors positions, origins;
+        Lanes u, v;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::size_t path = i * kGroups + group;
+            starts[i] = start_of(path);
+            const double offset = offset_of_triangle(input_.geometry, starts[i].triangle);
+            put(positions, i, glm::vec3(starts[i].position));
+            put(origins, i, glm::vec3(starts[i].position + offset * starts[i].facet));
+            // Golden ratios of the plane (Roberts, 2018), which have nothing in common with the places.
+            const glm::dvec2 of_source = glm::fract(
+                0.5 + static_cast<double>(path) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+            u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
+            v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
+        }
+        double probability = 0;
+        const double at = sample_seed(static_cast<std::uint32_t>(group), 0) * 0x1p-32;
+        const std::size_t source = light_for(starts, at, probability);
+        if (!(probability > 0)) return;
+        LaneLight light;
+        sources_[source]->sample(positions, u, v, light);
+        std::uint32_t lit = 0;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::dvec3 towards(vector_at(light.towards, i));
+            if (glm::dot(starts[i].facet, towards) > 0 && glm::dot(starts[i].frame[2], towards) > 0)
+                lit |= light.points & 1U << i;
+        }
+        lit = lighting_.reached(light, lit, positions, origins, out.rays);
+        for (std::size_t i = 0; i < kLanes; ++i)
+            if ((lit >> i & 1) != 0) scatter(starts[i], light, i, i * kGroups + group, probability, out);
+    }
+
+    // Sends the light that reaches a start to another surface.
+    void scatter(const Start& start, const LaneLight& light, std::size_t lane, std::size_t path,
+                 double probability, Arrivals& out) const {
+        const auto channels = static_cast<std::size_t>(input_.channels);
+        thread_local std::vector<glm::vec3> weights;
+        weights.assign(1, glm::vec3(1));
+        const WorldGeometry& geometry = input_.geometry;
+        if (const SpatialVariation* const variation = geometry.ranges[start.range].material->variation()) {
+            const TexturePoint at = texture_point(
+                start.weights, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[start.triangle],
+                geometry.colors.empty() ? nullptr : &geometry.colors[start.triangle]);
+            weights.resize(variation->layers.size());
+            variation->weights(at, weights);
+        }
+        const glm::dvec3 towards = glm::normalize(glm::dvec3(vector_at(light.towards, lane)));
+        const glm::dvec3 from = glm::normalize(towards * start.frame);
+        const std::uint32_t seed = 0;
+        Lanes x, y;
+        light_samples(static_cast<std::uint32_t>(path), std::span(&seed, 1), x, y);
+        thread_local std::vector<Mueller> muellers;
+        muellers.resize(channels);
+        const LobeChoice choice{.lobe = sample_seed(static_cast<std::uint32_t>(path), 1) * 0x1p-32,
+                                .facet = {x[0], y[0]}};
+        const glm::dvec3 to = scatter_by_lobes(layers_[start.range], weights, from, choice, muellers);
+        if (!(to.z > 0)) return;
+        const glm::dvec3 direction = glm::normalize(start.frame * to);
+        const double facing = glm::dot(direction, start.facet);
+        if (!(facing > 0)) return;
+        ++out.rays;
+        const std::optional<RayHit> hit = points_->find(
+            leaving(start.position, start.facet, direction, offset_of_triangle(geometry, start.triangle)));
+        if (!hit) return;
+
+        // The reflected radiance is that by the shading normal, the surface that it leaves is the triangle.
+        const double scale = start.area * from.z * facing / to.z / probability;
+        const double into =
+            light.components > 1
+                ? angle_between({glm::dvec3(vector_at(light.x, lane)),
+                                 glm::cross(-towards, glm::dvec3(vector_at(light.x, lane))), -towards},
+                                start.frame * theta_phi_frame(-from))
+                : 0;
+        const double out_of = angle_between(start.frame * theta_phi_frame(to), frames_.frame(direction));
+        thread_local std::vector<Stokes> powers;
+        powers.clear();
+        for (std::size_t c = 0; c < channels; ++c) {
+            const std::array<Lanes, 4>& irradiance = light.irradiance[light.irradiance.size() == 1 ? 0 : c];
+            Stokes arriving(0.0);
+            for (std::size_t q = 0; q < light.components; ++q)
+                arriving[static_cast<glm::length_t>(q)] = double{irradiance[q][lane]};
+            powers.push_back(scale * rotated(muellers[c] * rotated(arriving, into), out_of));
+        }
+        arrive(*hit, direction, powers, out);
+    }
+
+    // Spreads a photon over the receivers.
+    void arrive(const RayHit& hit, const glm::dvec3& direction, std::span<const Stokes> powers,
+                Arrivals& out) const {
+        const double cosine =
+            std::max(kLeastCosine, -glm::dot(direction, normal_of_triangle(input_.geometry, hit.triangle)));
+        const glm::uvec3& corners = input_.geometry.triangles[hit.triangle];
+        const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
+        const std::uint32_t towards = nearest_.of(glm::vec3(-direction));
+        std::array<std::pair<std::uint32_t, double>, 3 * Receivers::Blend::kMost> shares;
+        std::size_t count = 0;
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const Receivers::Blend& blend = surfaces_.blends()[corners[k]];
+            for (std::size_t i = 0; i < blend.weights.size(); ++i) {
+                if (!(blend.weights[i] > 0)) continue;
+                const auto known =
+                    std::find_if(shares.begin(), shares.begin() + count,
+                                 [&](const auto& share) { return share.first == blend.receivers[i]; });
+                const double share = weights[k] * double{blend.weights[i]};
+                if (known != shares.begin() + count)
+                    known->second += share;
+                else
+                    shares[count++] = {blend.receivers[i], share};
+            }
+        }
+        for (const auto& [receiver, share] : std::span(shares).first(count)) {
+            if (!(areas_[receiver] > 0)) continue;
+            out.parts.push_back({receiver, towards});
+            for (const Stokes& power : powers)
+                out.stokes.emplace_back(share / (cosine * areas_[receiver]) * power);
+        }
+    }
+
+    const TransferInput& input_;
+    const LinkedSurfaces& surfaces_;
+    const LocalLighting& lighting_;
+    std::vector<const LightSource*> sources_ = lighting_.sources();
+    NearestDirections nearest_{*input_.directions};
+    Viewpoint frames_ = link_frames();
+    std::vector<std::vector<FollowedLayer>> layers_;                    // [range]
+    FocusingSurface starts_{.range = 0, .triangles = {}, .areas = {}};  // with shares in place of areas
+    const SurfacePoints* points_ = nullptr;
+    std::vector<double> areas_;  // [receiver]
+};
+
+}  // namespace
+
+bool sends_photons(const Material& material, int term) {
+    return material.matrix(0) == nullptr && !material.smooth(term) &&
+           material.isotropic().lobe_width(term) < kWidestPhotonLobe;
+}
+
+LobePhotons::LobePhotons(const TransferInput& input, const LinkedSurfaces& surfaces, RenderRun& run)
+    : channels_(static_cast<std::size_t>(input.channels)) {
+    Tracer tracer(input, surfaces);
+    if (!tracer.any()) return;
+    const std::vector<Arrivals> arrivals = tracer.trace(run);
+    firsts_.resize(surfaces.blocks() + 1);
+    for (const Arrivals& some : arrivals) {
+        run.statistics.light_rays += some.rays;
+        for (const Part& part : some.parts) ++firsts_[part.receiver / kLanes + 1];
+    }
+    for (std::size_t block = 0; block < surfaces.blocks(); ++block) firsts_[block + 1] += firsts_[block];
+    std::vector<std::size_t> next(firsts_.begin(), firsts_.end() - 1);
+    parts_.resize(firsts_.back());
+    stokes_.resize(firsts_.back() * channels_);
+    for (const Arrivals& some : arrivals)
+        for (std::size_t k = 0; k < some.parts.size(); ++k) {
+            const std::size_t to = next[some.parts[k].receiver / kLanes]++;
+            parts_[to] = some.parts[k];
+            std::copy_n(&some.stokes[k * channels_], channels_, &stokes_[to * channels_]);
+        }
+}
+
+}  // namespace nicol
