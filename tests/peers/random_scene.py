@@ -59,12 +59,14 @@ class Part:
 class RandomScene:
     """text: the scene; words: what it has. without: "brushed" leaves out metals whose roughness depends on the direction, "narrow"
     the space between sheets and in boxes, "bounces" light that several surfaces reflect, and with
-    it mirrors and glass, "far" offsets of more than a hundred sizes, which 32-bit positions do not hold."""
+    it mirrors and glass, "far" offsets of more than a hundred sizes, which 32-bit positions do not hold. size: in place of the
+    seed's, 0 for that; everything else stays the same."""
 
-    def __init__(self, seed, assets, without=()):
+    def __init__(self, seed, assets, without=(), size=0.0):
         self.without = without
         self.random = numpy.random.default_rng(seed)
         self.size = 10 ** self.random.uniform(-4, 6) if self.chance(0.3) else 1.0
+        self.size = size or self.size
         self.offset = numpy.zeros(3)
         if self.chance(0.3):
             self.offset = self.direction() * self.size * 10 ** self.random.uniform(1, 2 if "far" in without else 6)

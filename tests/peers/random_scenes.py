@@ -131,7 +131,7 @@ class Nicol:
 
     limits = BY_DEFAULT
 
-    def compare(self, context, file):
+    def compare(self, context, file, _):
         truth, _ = nicol_images(context, file, (1, 2), RAYS)
         ours, predicted = nicol_images(context, file, (3, 4), DEFAULT)
         shown, within = inside(context, file)
@@ -142,7 +142,8 @@ class Nicol:
 
 
 class Mitsuba:
-    """Rays against Mitsuba."""
+    """Rays against Mitsuba, whose scene has the size 1: its rays begin at least 9e-5 away from surfaces, and so within or behind what
+    is small."""
 
     limits = MITSUBA
 
@@ -152,8 +153,8 @@ class Mitsuba:
         self.peer = peer_mitsuba
         print(f"Mitsuba {self.peer.mitsuba.__version__}, {self.peer.choose_variant()}")
 
-    def compare(self, context, file):
-        loaded = self.peer.mitsuba_scene(file)
+    def compare(self, context, file, of_unit_size):
+        loaded = self.peer.mitsuba_scene(of_unit_size)
         truth = [self.peer.mitsuba_image(loaded, RAYS["samples"], seed) for seed in (1, 2)]
         return Errors(*errors(blocks(nicol_images(context, file, (1, 2), RAYS)[0]), blocks(truth)))
 
@@ -176,12 +177,13 @@ def main():
     peers = Mitsuba() if asked.mitsuba else Nicol()
     found = []
     with tempfile.TemporaryDirectory() as folder, nicol.Context.create() as context:
-        file = pathlib.Path(folder) / "scene.xml"
+        file, of_unit_size = (pathlib.Path(folder) / name for name in ("scene.xml", "of_unit_size.xml"))
         for seed in range(asked.first, asked.first + asked.count):
             scene = random_scene.RandomScene(seed, asked.assets.resolve(), asked.without)
             file.write_text(scene.text)
+            of_unit_size.write_text(random_scene.RandomScene(seed, asked.assets.resolve(), asked.without, 1.0).text)
             try:
-                error = peers.compare(context, file)
+                error = peers.compare(context, file, of_unit_size)
             except nicol.Error as refused:
                 print(f"{seed}: refused: {refused}", flush=True)
                 error = Errors(numpy.inf, numpy.inf)
