@@ -36,13 +36,13 @@ Chosen choose(std::span<const FollowedLayer> layers, std::span<const glm::vec3> 
     constexpr Chosen nothing{.direction = glm::dvec3(0.0), .density = 0};
     double all = 0;
     for_parts(layers, weights, [&](const Lobe&, double reflectance) { all += reflectance; });
-    if (!(all > 0)) return nothing;
     double below = choice.lobe * all;
     const Lobe* chosen = nullptr;
     for_parts(layers, weights, [&](const Lobe& lobe, double reflectance) {
         if (below >= 0 && reflectance > 0) chosen = &lobe;
         below -= reflectance;
     });
+    if (chosen == nullptr) return nothing;
 
     // GGX facets stand for those of other distributions.
     const glm::dvec3 facet = visible_facet(chosen->alpha, from, choice.facet);
