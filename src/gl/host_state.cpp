@@ -93,7 +93,7 @@ void HostState::prepare_drawing() {
         return gl_.BlendFunc(GL_ONE, GL_ZERO);
     }
     for (GLuint i = 0; i < kDrawBuffers; ++i) set_draw_buffer(i);
-    for (GLuint i = 0; i < kBlendedBuffers; ++i) set_blend_functions(i);
+    for (GLuint i = 0; i < kBlendedBuffers; ++i) set_blending(i);
 }
 
 void HostState::save_what_draws_set() {
@@ -161,22 +161,14 @@ void HostState::set_draw_buffer(GLuint index) {
     std::array<GLboolean, 4> mask{};
     gl_.GetBooleani_v(GL_COLOR_WRITEMASK, index, mask.data());
     restore([this, index, mask] { gl_.ColorMaski(index, mask[0], mask[1], mask[2], mask[3]); });
-    if (gl_.IsEnabledi(GL_BLEND, index) == GL_FALSE) return;
-    GLint color = GL_FUNC_ADD, alpha = GL_FUNC_ADD;
-    gl_.GetIntegeri_v(GL_BLEND_EQUATION_RGB, index, &color);
-    gl_.GetIntegeri_v(GL_BLEND_EQUATION_ALPHA, index, &alpha);
-    restore([this, index, color = static_cast<GLenum>(color), alpha = static_cast<GLenum>(alpha)] {
-        gl_.Enablei(GL_BLEND, index);
-        // Equations of the extension for advanced blending cannot be set apart.
-        if (color == alpha) return gl_.BlendEquationi(index, color);
-        gl_.BlendEquationSeparatei(index, color, alpha);
-    });
-    // Mesa refuses draws for an advanced equation that it once enabled, even if blending is off.
-    gl_.BlendEquationi(index, GL_FUNC_ADD);
-    gl_.Disablei(GL_BLEND, index);
 }
 
-void HostState::set_blend_functions(GLuint index) {
+void HostState::set_blending(GLuint index) {
+    // Mesa refuses draws for an advanced blend equation if any buffer is blended, also one not drawn to.
+    if (gl_.IsEnabledi(GL_BLEND, index) == GL_TRUE) {
+        restore([this, index] { gl_.Enablei(GL_BLEND, index); });
+        gl_.Disablei(GL_BLEND, index);
+    }
     std::array<GLenum, 4> functions{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                     GL_BLEND_DST_ALPHA};
     for (GLenum& function : functions) {

@@ -61,7 +61,7 @@ private:
     void set_rasterisation();
     void set_viewport();
     void set_draw_buffer(GLuint index);
-    void set_blend_functions(GLuint index);
+    void set_blending(GLuint index);
     void set_pixels(GLenum buffer, GLenum binding, std::initializer_list<GLenum> zeros, GLenum alignment);
     void set_transfer();
     void unbind_storages();

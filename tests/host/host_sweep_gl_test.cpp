@@ -10,8 +10,8 @@ namespace {
 
 constexpr GLsizei width = 24, height = 16;
 
-/// Returns every state. Settings share eight images, because an image that any of them changes says so.
-/// Operations that are begun exclude each other.
+/// Returns every state. Settings share eight images, which differ if any of them shows. Operations that are
+/// begun exclude each other.
 std::vector<UnusualStates> every_state() {
     UnusualStates settings = unusual_settings();
     if (profile_under_test == Profile::compatibility)

@@ -103,11 +103,15 @@ UnusualStates fragment_states() {
                  gl.BlendFuncSeparate(GL_ONE, GL_ZERO, on ? factor : GL_ONE, GL_ZERO);
              }});
     }
-    constexpr GLenum multiply = 0x9294;  // GL_MULTIPLY_KHR of an extension
-    states.push_back({"advanced blending", [](const Gl& gl, bool on) {
-                          gl.BlendEquation(on ? multiply : GL_FUNC_ADD);
-                          static_cast<void>(gl.GetError());
-                      }});
+    constexpr GLenum multiply = 0x9294;       // GL_MULTIPLY_KHR of an extension
+    for (const bool first : {false, true}) {  // without the first draw buffer
+        states.push_back({"advanced blending, " + std::to_string(first), [first](const Gl& gl, bool on) {
+                              gl.BlendEquation(on ? multiply : GL_FUNC_ADD);
+                              static_cast<void>(gl.GetError());
+                              enable(gl, GL_BLEND, on);
+                              if (!first) gl.Disablei(GL_BLEND, 0);
+                          }});
+    }
     for (GLuint i = 0; i < 8; ++i) {
         const std::string buffer = " of draw buffer " + std::to_string(i);
         states.push_back({"mask" + buffer, [i](const Gl& gl, bool on) {
@@ -134,11 +138,6 @@ UnusualStates primitive_states() {
         {"front face", [](const Gl& gl, bool on) { gl.FrontFace(on ? GL_CW : GL_CCW); }},
         {"polygon mode",
          [](const Gl& gl, bool on) { gl.PolygonMode(GL_FRONT_AND_BACK, on ? GL_POINT : GL_FILL); }},
-        {"polygon offset",
-         [](const Gl& gl, bool on) {
-             enable(gl, GL_POLYGON_OFFSET_FILL, on);
-             gl.PolygonOffset(on ? 1e6F : 0, on ? 1e6F : 0);
-         }},
         {"provoking vertex",
          [](const Gl& gl, bool on) {
              gl.ProvokingVertex(on ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
@@ -178,6 +177,12 @@ UnusualStates primitive_states() {
          }},
         {"read colour clamped",
          [](const Gl& gl, bool on) { gl.ClampColor(GL_CLAMP_READ_COLOR, on ? GL_TRUE : GL_FIXED_ONLY); }}};
+    for (const GLenum kind : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT}) {
+        states.push_back({"polygon offset " + std::to_string(kind), [kind](const Gl& gl, bool on) {
+                              enable(gl, kind, on);
+                              gl.PolygonOffset(on ? 1e6F : 0, on ? 1e6F : 0);
+                          }});
+    }
     for (GLuint i = 0; i < 16; i += 5) {
         const std::string viewport = " of viewport " + std::to_string(i);
         states.push_back({"rectangle" + viewport, [i](const Gl& gl, bool on) {
