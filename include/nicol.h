@@ -814,10 +814,10 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
  * the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
  * method with a max_depth above 2, smooth glass and smooth metal bend the light of local lights to other
  * surfaces, as unpolarized light: 131,072 paths, found anew when local lights, bright parts of the
- * environment or surfaces change or turn, make caustics. Without, and through rough glass, the light of local
- * lights passes straight on, dimmed in each channel as unpolarized light is; the light of the environment
- * passes straight on and is dimmed equally in all channels, by their mean. Metal of a roughness below 0.25
- * shows the environment as glass bends it. The dense method and shading at vertices return
+ * environment or surfaces change or turn, make caustics. Otherwise, and through rough glass, the light of
+ * local lights passes straight on, dimmed in each channel as unpolarized light is; the light of the
+ * environment passes straight on and is dimmed equally in all channels, by their mean. Metal of a roughness
+ * below 0.25 shows the environment as glass bends it. The dense method and shading at vertices return
  * NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing outwards, and bodies
  * must not overlap. */
 typedef struct nicol_dielectric {
@@ -1655,11 +1655,11 @@ typedef struct nicol_render_options {
     /* Largest predicted error of the orders left out and of shadows between baked vertices if both orders are
      * automatic, finite and not negative, default 0.03: the RMSE of s0, s1 and s2 relative to the RMS of s0.
      * The fastest orders are chosen, order_low up to 16, that keep what shadows leave of the tolerance, or
-     * half of it; if no orders do, those whose next steps would take longer than their error is worth. The
-     * error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders are as high as
-     * fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic orders are 4
-     * and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0, and beside an
-     * order that is given. */
+     * half of it. If no orders do, the product of squared error and a frame's time decides among orders that
+     * err at most 1.5 times as much as the best ones. The error of the DoLP, as the mean over pixels, is no
+     * larger than the prediction. Orders are as high as fits if the data of vertices would exceed 1 GiB or
+     * the context's memory_limit. Automatic orders are 4 and 9 without a prediction: for the dense method,
+     * for convolution, for a tolerance of 0, and beside an order that is given. */
     double tolerance;
     nicol_components components; /* Stokes components of the image, default all */
     /* Sum of NICOL_OPTIMISATION_... to disable, in order to measure what the optimisations save; default 0:

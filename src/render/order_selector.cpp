@@ -36,6 +36,9 @@ double cost(int low, bool split, bool local_lights) {
 // Time of the rest of a frame by the same measure: of an image of 512 x 512 and 20,000 vertices.
 constexpr double kRestOfFrame = 1000;
 
+// Largest error of chosen orders out of a tolerance's reach, relative to the least one of all orders.
+constexpr double kMostLoss = 1.5;
+
 // Part of a frame's time that better orders may take beyond the cheapest orders.
 constexpr double kNegligible = 0.06;
 // Error, relative to the tolerance, below which no better orders are looked for.
@@ -146,9 +149,12 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         return best;
     }
     for (Orders& orders : candidates) orders.error = error(orders.low, orders.high, Fit::made);
-    // The least error may take several times as long as twice the error. Noise of samples would fall so that
-    // its square times time stays the same, and here no more is paid for less error. The rest of an image
-    // errs by about the tolerance, so that much smaller errors gain nothing.
+    // The least error may take several times as long as one that is half as large again. Noise of samples
+    // would fall so that its square times time stays the same, and here no more is paid for less error. The
+    // rest of an image errs by about what the tolerance leaves to orders, so that much smaller errors gain
+    // nothing.
+    const double least = std::ranges::min_element(candidates, {}, &Orders::error)->error;
+    std::erase_if(candidates, [=](const Orders& orders) { return orders.error > kMostLoss * least; });
     return *std::ranges::min_element(candidates, {}, [&](const Orders& orders) {
         return (tolerance * tolerance + orders.error * orders.error) * (kRestOfFrame + cost_of(orders));
     });

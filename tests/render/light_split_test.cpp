@@ -22,7 +22,7 @@ EnvironmentPtr lamps() {
 
 }  // namespace
 
-TEST_CASE("lamps are split off for the factored method, as many as the options allow, once") {
+TEST_CASE("lights are extracted for the factored method, as many as the options allow, once") {
     const EnvironmentPtr light = lamps();
     LightSplit split;
     Statistics statistics;

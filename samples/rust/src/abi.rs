@@ -833,10 +833,10 @@ const _: () = {
 /// the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
 /// method with a max_depth above 2, smooth glass and smooth metal bend the light of local lights to other
 /// surfaces, as unpolarized light: 131,072 paths, found anew when local lights, bright parts of the
-/// environment or surfaces change or turn, make caustics. Without, and through rough glass, the light of local
-/// lights passes straight on, dimmed in each channel as unpolarized light is; the light of the environment
-/// passes straight on and is dimmed equally in all channels, by their mean. Metal of a roughness below 0.25
-/// shows the environment as glass bends it. The dense method and shading at vertices return
+/// environment or surfaces change or turn, make caustics. Otherwise, and through rough glass, the light of
+/// local lights passes straight on, dimmed in each channel as unpolarized light is; the light of the
+/// environment passes straight on and is dimmed equally in all channels, by their mean. Metal of a roughness
+/// below 0.25 shows the environment as glass bends it. The dense method and shading at vertices return
 /// NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing outwards, and bodies
 /// must not overlap.
 #[repr(C)]
