@@ -15,7 +15,7 @@ namespace {
 /// edge of the set, which is found without a search.
 class EdgeEnds {
 public:
-    /// places: of the vertices.
+    /// places: the place of each vertex.
     EdgeEnds(std::span<const std::uint32_t> places, std::uint32_t place_count)
         : places_(places), at_places_(place_count, 0), at_vertices_(places.size(), 0) {}
     void add(EdgeBisection::Edge edge) { at_places_[edge >> 32] = at_places_[edge & 0xFFFFFFFFU] = 1; }

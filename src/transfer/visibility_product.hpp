@@ -21,8 +21,8 @@ namespace nicol {
 
 /// Coefficients of visibility that VisibilityProduct computes on the way and keeps in addition.
 struct KeptCoefficients {
-    VisibilityBlocks* blocks =
-        nullptr;  ///< blocks for equally many vertices and twice the light's order; null: none
+    /// Blocks for equally many vertices and twice the light's order; null: none.
+    VisibilityBlocks* blocks = nullptr;
     std::span<std::uint8_t> missing;  ///< set to 0 for each vertex that is set; may be empty
 };
 

@@ -168,7 +168,7 @@ IMAGE_TEST_CASE("beside compute shaders local lights follow changes") {
     }
 }
 
-IMAGE_TEST_CASE("beside compute shaders lamps of an environment are split off") {
+IMAGE_TEST_CASE("beside compute shaders lights of an environment are extracted") {
     EquirectImage room(64, 33, 3);
     for (int c = 0; c < 3; ++c) {
         for (int y = 0; y < 33; ++y)

@@ -224,7 +224,7 @@ int main(int argc, char** argv) {
         frame(&s, 0);
         heap_of_parts[part] = heap();
     }
-    grown_in_every_part("heap by frames", heap_before, heap_of_parts, 4.0 * 1024);
+    grown_in_every_part("heap by frames", heap_before, heap_of_parts, 2.0 * 1024);
     grown("resident memory by frames", resident_before, resident(), 16.0 * 1024 * 1024);
     take_down(&s);
     look_around(&after);

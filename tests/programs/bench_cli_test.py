@@ -155,7 +155,7 @@ def check_budget(folder, scene):
 
 
 def check_times(folder, scene):
-    rows = table(folder, "frame", scene, "--size", 32, "--seconds", 0.001, "--orders", "2-2",
+    rows = table(folder, "frame", scene, "--size", 32, "--seconds", 0.001, "--orders", "2-3",
                  "--cache", folder / "cache")
     assert rows["floor: one colour"]["ratio to floor"] == 1, rows
     full = rows["factored 2, polarized sky on plastic: light"]

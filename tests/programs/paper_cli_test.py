@@ -118,7 +118,7 @@ class Results(unittest.TestCase):
             self.assertLess(high[0], shadow[0])
             self.assertLess(high[2], shadow[2])
 
-    def test_physical_range(self):
+    def test_realizable_range(self):
         """Some truncated light leaves the range, by shares within the expected bounds."""
         for row in rows(self.done.stdout, "share"):
             for share in row[1:]:
