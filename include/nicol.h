@@ -1916,7 +1916,7 @@ typedef struct nicol_statistics {
     uint64_t local_lights;          /* local lights: the scene's, each instance that emits light, and lights_split */
     uint64_t lights_split;          /* extracted lights that were taken out of the environment */
     uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights, and of the light
-                                       that glass and mirrors focus */
+                                       that glass and mirrors focus or narrow lobes send on */
     double light_ms;                /* part of shade_ms for local lights, their shadows and the light that glass and mirrors
                                        focus, which is found anew when lights or surfaces change */
     uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass, mirrors or narrow lobes of

@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "material/frames.hpp"
 #include "material/material.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/reflectance.hpp"
 
 namespace nicol {
@@ -25,7 +26,7 @@ glm::dvec3 direction(double zenith, double azimuth) {
     return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
 }
 
-class Callback final : public Material {
+class Callback final : public Material, public MixedTerms {
 public:
     explicit Callback(CallbackParameters parameters) : p_(std::move(parameters)) {
         if (!p_.reflect)
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] int channels() const noexcept override { return p_.channels; }
     [[nodiscard]] int terms() const noexcept override { return p_.channels; }
     [[nodiscard]] double weight(int term, int channel) const override { return term == channel ? 1 : 0; }
+    [[nodiscard]] bool mixed(int) const override { return true; }
     [[nodiscard]] double lobe_width(int) const noexcept override { return p_.lobe_width; }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,

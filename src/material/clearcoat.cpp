@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "material/conductor.hpp"
 #include "material/key.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/mixture.hpp"
 #include "material/reflectance.hpp"
 #include "polarization/fresnel.hpp"
@@ -52,7 +53,7 @@ void pass(const Passage<Real>& in, const Passage<Real>& out, const Element& m) {
 }
 
 // Material below a coat.
-class BelowCoat final : public Material {
+class BelowCoat final : public Material, public MixedTerms {
 public:
     BelowCoat(MaterialPtr base, double eta) : base_(std::move(base)), eta_(eta) {
         if (base_->anisotropic())
@@ -69,6 +70,7 @@ public:
     [[nodiscard]] Distribution distribution(int term) const noexcept override {
         return base_->distribution(term);
     }
+    [[nodiscard]] bool mixed(int term) const override { return is_mixed(*base_, term); }
     [[nodiscard]] bool smooth(int term) const noexcept override { return base_->smooth(term); }
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;

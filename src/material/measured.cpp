@@ -9,13 +9,14 @@
 #include "material/frames.hpp"
 #include "material/key.hpp"
 #include "material/measured_table.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/reflectance.hpp"
 
 namespace nicol {
 namespace {
 
 // Measured material with one term per channel.
-class Measured final : public Material {
+class Measured final : public Material, public MixedTerms {
 public:
     Measured(MeasuredTable table, std::string key)
         : table_(std::move(table)), lobe_(table_.lobe_width()), key_(std::move(key)) {}
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] double weight(int term, int channel) const override { return term == channel ? 1 : 0; }
     [[nodiscard]] double lobe_width(int) const noexcept override { return lobe_; }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return table_.mirror_symmetric(); }
+    [[nodiscard]] bool mixed(int) const override { return true; }
     [[nodiscard]] std::string content_key() const override { return key_; }
     [[nodiscard]] std::uint64_t bytes() const noexcept override { return table_.bytes(); }
 

@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "material/key.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/mixture.hpp"
 #include "simd/work_space.hpp"
 
@@ -12,7 +13,7 @@ namespace nicol {
 namespace {
 
 /// Sum of weighted layers. Its terms are those of the layers, times the mean of the layer's weight.
-class Mixture final : public Material {
+class Mixture final : public Material, public MixedTerms {
 public:
     explicit Mixture(SpatialVariation variation) : variation_(std::move(variation)) {
         for (const MaterialLayer& layer : variation_.layers) {
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }
+    [[nodiscard]] bool mixed(int term) const override { return is_mixed(*at(term).material, at(term).index); }
     [[nodiscard]] Distribution distribution(int term) const noexcept override {
         return at(term).material->distribution(at(term).index);
     }

@@ -10,6 +10,7 @@
 #include "harmonics/spin_harmonics.hpp"
 #include "material/key.hpp"
 #include "material/matrix_rows.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/reflectance.hpp"
 
@@ -21,7 +22,7 @@ using std::numbers::pi;
 constexpr double kRounding = 1e-6;
 
 // Material with rows at outgoing angles a sixth of the shortest half-wave apart and cubics between rows.
-class PshMatrixMaterial final : public Material {
+class PshMatrixMaterial final : public Material, public MixedTerms {
 public:
     PshMatrixMaterial(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale)
         : matrices_(std::move(channels)),
@@ -46,6 +47,7 @@ public:
     [[nodiscard]] double lobe_width(int) const noexcept override {
         return std::min(1.0, pi / (layout_.order() + 1));
     }
+    [[nodiscard]] bool mixed(int) const override { return true; }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return mirror_symmetric_; }
     [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
         return &matrices_.at(matrices_.size() == 1 ? 0 : static_cast<std::size_t>(channel));

@@ -3,13 +3,14 @@
 
 #include "error.hpp"
 #include "material/material.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/mixture.hpp"
 #include "material/shared_terms.hpp"
 
 namespace nicol {
 namespace {
 
-class Twosided final : public Material, public SharedTerms {
+class Twosided final : public Material, public SharedTerms, public MixedTerms {
 public:
     explicit Twosided(MaterialPtr front) : front_(std::move(front)) {
         // The front owns its isotropic counterpart.
@@ -32,6 +33,7 @@ public:
     [[nodiscard]] Distribution distribution(int term) const noexcept override {
         return front_->distribution(term);
     }
+    [[nodiscard]] bool mixed(int term) const override { return is_mixed(*front_, term); }
     [[nodiscard]] bool smooth(int term) const noexcept override { return front_->smooth(term); }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }

@@ -41,6 +41,31 @@ glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& otherwise) {
     return length > 1e-6F ? v / length : otherwise;
 }
 
+/// Terms of a material's layers whose lobes are wide enough for links.
+class LayersOf {
+public:
+    /// has(layer, term): whether a term is to be among them.
+    template <class Has>
+    LayersOf(const MaterialPtr& material, const Has& has) {
+        for (const MaterialPtr& layer : plain_materials(material)) {
+            terms_.push_back(some_terms(layer, [&](int term) {
+                const bool both = has(*layer, term) && layer->isotropic().lobe_width(term) >= kNarrowestLobe;
+                any_ |= both;
+                return both;
+            }));
+            layers_.push_back(terms_.back().get());
+        }
+    }
+
+    [[nodiscard]] bool any() const { return any_; }
+    [[nodiscard]] std::span<const Material* const> layers() const { return layers_; }
+
+private:
+    std::vector<MaterialPtr> terms_;
+    std::vector<const Material*> layers_;
+    bool any_ = false;
+};
+
 // Returns a number from 0 to 1 that depends on the link and the purpose as if by chance.
 float chance(std::size_t link, std::uint64_t purpose) {
     std::uint64_t x = (2 * std::uint64_t{link} + purpose + 1) * 0x9e3779b97f4a7c15U;
@@ -157,14 +182,10 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
                              const LinkedSurfaces& surfaces, const LinkedSurfaces::Batch& batch,
                              const LocalLighting& lighting, LinkStokes& out) {
     const MaterialPtr& material = geometry.ranges[batch.range].material;
-    std::vector<MaterialPtr> wide;
-    std::vector<const Material*> layers;
-    for (const MaterialPtr& layer : plain_materials(material)) {
-        wide.push_back(some_terms(layer, [&](int term) {
-            return !sends_photons(*layer, term) && layer->isotropic().lobe_width(term) >= kNarrowestLobe;
-        }));
-        layers.push_back(wide.back().get());
-    }
+    // Photons carry what narrow lobes reflect of lamps, but nothing of the light that glass and mirrors
+    // focus.
+    const LayersOf lit(material, [](const Material& layer, int term) { return !sends_photons(layer, term); });
+    const LayersOf focusing(material, sends_photons);
     const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();
     constexpr std::size_t most = kLanes;
     const std::size_t count = batch.count;
@@ -191,19 +212,21 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
     thread_local std::vector<glm::vec4> sums;
     sums.clear();
     const std::vector<std::span<glm::vec4>> channels = channel_spans(sums, out.size(), count);
-    const LightingTally tally = lighting.add_lights(
-        Views(std::span(views).first(count)),
-        {.positions = std::span(positions).first(count),
-         .normals = std::span(normals).first(count),
-         .tangents = std::span(tangents).first(anisotropic ? count : 0),
-         .facets = {},
-         .unperturbed = {},
-         .origins = std::span(origins).first(count),
-         .mirrored = nullptr,
-         .parts = {},
-         .seeds = std::span(seeds).first(count),
-         .shadowed = true},
-        {.layers = layers, .weights = surfaces.weights(batch)}, kLinkLightSamples, channels);
+    const Views seen{std::span(views).first(count)};
+    const LitPoints points{.positions = std::span(positions).first(count),
+                           .normals = std::span(normals).first(count),
+                           .tangents = std::span(tangents).first(anisotropic ? count : 0),
+                           .facets = {},
+                           .unperturbed = {},
+                           .origins = std::span(origins).first(count),
+                           .mirrored = nullptr,
+                           .parts = {},
+                           .seeds = std::span(seeds).first(count),
+                           .shadowed = true};
+    LightingTally tally = lighting.add_lights(seen, points, {lit.layers(), surfaces.weights(batch)},
+                                              kLinkLightSamples, channels);
+    if (lighting.any_focused() && focusing.any())
+        tally += lighting.add_lights(seen, points, {focusing.layers(), surfaces.weights(batch)}, 0, channels);
     for (std::size_t c = 0; c < out.size(); ++c) std::ranges::copy(channels[c], &out[c][batch.first]);
     return tally;
 }

@@ -10,7 +10,9 @@
 #include <optional>
 
 #include "material/followed_terms.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/spatial_variation.hpp"
+#include "methods/receiver_areas.hpp"
 #include "polarization/mueller.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/lobe_sample.hpp"
@@ -28,9 +30,9 @@ constexpr std::size_t kPaths = std::size_t{1} << 15;
 constexpr std::size_t kGroups = kPaths / kLanes;  // sixteen paths begin together
 // Share of the paths that begin evenly over the surfaces. All others begin where links end.
 constexpr double kEvenly = 0.1;
-// Least cosine of a photon's direction to the surface that it reaches. Surfaces reflect little of light that
-// comes from below it, whose radiance would be noise.
-constexpr double kLeastCosine = 0.02;
+// Least cosine to a surface of the direction that stands for a photon's. The radiance of others would be
+// noise.
+constexpr double kLeastCosine = 0.1;
 
 /// Light that reaches receivers, as LobePhotons has it.
 struct Arrivals {
@@ -50,36 +52,35 @@ struct Start {
     double area;       // that the path stands for
 };
 
-// Cross product of two edges of a triangle: along its normal, as long as twice its area.
-glm::dvec3 across(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const glm::uvec3& corners = geometry.triangles[triangle];
-    const glm::dvec3 first(geometry.positions[corners.x]);
-    return glm::cross(glm::dvec3(geometry.positions[corners.y]) - first,
-                      glm::dvec3(geometry.positions[corners.z]) - first);
-}
-
-double area_of_triangle(const WorldGeometry& geometry, std::uint32_t triangle) {
-    return glm::length(across(geometry, triangle)) / 2;
-}
-
 glm::dvec3 normal_of_triangle(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const glm::dvec3 normal = across(geometry, triangle);
+    const glm::dvec3 normal = area_vector(geometry, triangle);
     const double length = glm::length(normal);
     return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
 }
 
-// Returns the area that interpolation gives to each receiver.
-std::vector<double> areas_of_receivers(const WorldGeometry& geometry, const LinkedSurfaces& surfaces) {
-    std::vector<double> out(surfaces.receivers());
-    for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
-        const double third = area_of_triangle(geometry, t) / 3;
-        for (glm::length_t k = 0; k < 3; ++k) {
-            const Receivers::Blend& blend = surfaces.blends()[geometry.triangles[t][k]];
-            for (std::size_t i = 0; i < blend.weights.size(); ++i)
-                if (blend.weights[i] > 0) out[blend.receivers[i]] += third * double{blend.weights[i]};
-        }
-    }
+std::uint32_t reversed(std::uint32_t x) {
+    std::uint32_t out = 0;
+    for (int k = 0; k < 32; ++k) out |= (x >> k & 1U) << (31 - k);
     return out;
+}
+
+// Returns the point of [0, 1)^2 that chooses a path's facet. Each block of a power of two of consecutive
+// paths fills the square evenly, in an order unlike that of the places where they begin (Burley, 2020).
+glm::dvec2 facet_point(std::size_t path) {
+    std::uint32_t x = reversed(static_cast<std::uint32_t>(path)) + 0x68bc21ebU;
+    for (const std::uint32_t factor : {0x6c50b47cU, 0xb82f1e52U, 0xc7afe638U, 0x8d22f6e6U}) x ^= x * factor;
+    const std::uint32_t seed = 0;
+    Lanes u, v;
+    light_samples(reversed(x), std::span(&seed, 1), u, v);
+    return {u[0], v[0]};
+}
+
+// Turns a frame so that its z is b, by the smallest rotation of its z.
+Frame turned(const Frame& frame, const glm::dvec3& b) {
+    const glm::dvec3 middle = frame[2] + b;
+    const double scale = 1 / (1 + glm::dot(frame[2], b));
+    const auto turn = [&](const glm::dvec3& v) { return v - scale * glm::dot(v, b) * middle; };
+    return {turn(frame[0]), turn(frame[1]), b};
 }
 
 class Tracer {
@@ -100,7 +101,9 @@ public:
         std::optional<SurfacePoints> points;
         run.workers.run([&] { points.emplace(baked, sides); });
         points_ = &*points;
-        areas_ = areas_of_receivers(input_.geometry, surfaces_);
+        present_ = baked.present;
+        areas_ = areas_of_receivers(input_.geometry, surfaces_, present_);
+        nearest_.emplace(*input_.directions);
         std::vector<Arrivals> out(kGroups);
         run.workers.for_blocks(kGroups, "relight", run.progress, [&](std::size_t first, std::size_t last) {
             for (std::size_t group = first; group < last; ++group) follow(group, out[group]);
@@ -114,10 +117,7 @@ private:
     void find_starts() {
         const WorldGeometry& geometry = input_.geometry;
         layers_.resize(geometry.ranges.size());
-        std::vector<double> links(geometry.triangles.size());
-        for (const SurfaceLink& link : surfaces_.links()) ++links[link.triangle];
         std::vector<double> shares;  // of the light along the normal that narrow lobes reflect
-        double all_links = 0, all_areas = 0;
         for (const TriangleBatch& batch : triangle_batches(geometry)) {
             std::vector<FollowedLayer>& layers = layers_[batch.range];
             layers = layers_with(*geometry.ranges[batch.range].material, sends_photons);
@@ -131,24 +131,35 @@ private:
             for (std::size_t t = batch.first; t < batch.last; ++t) {
                 starts_.triangles.push_back(static_cast<std::uint32_t>(t));
                 shares.push_back(share);
-                all_links += share * links[t];
-                all_areas += share * area_of_triangle(geometry, starts_.triangles.back());
             }
         }
-        if (!(all_links > 0 && all_areas > 0)) return;
+        if (shares.empty()) return;
+        std::vector<double> links(geometry.triangles.size());
+        for (const SurfaceLink& link : surfaces_.links()) ++links[link.triangle];
+        double all_links = 0, all_areas = 0;
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            all_links += shares[k] * links[starts_.triangles[k]];
+            all_areas += shares[k] * glm::length(area_vector(geometry, starts_.triangles[k]));
+        }
+        if (!(all_areas > 0)) return;
+        const double evenly = all_links > 0 ? kEvenly : 1;
+        const double per_link = all_links > 0 ? (1 - evenly) / all_links : 0;
         double sum = 0;
         starts_.areas.reserve(shares.size());
         for (std::size_t k = 0; k < shares.size(); ++k) {
             const std::uint32_t t = starts_.triangles[k];
-            sum += shares[k] * ((1 - kEvenly) * links[t] / all_links +
-                                kEvenly * area_of_triangle(geometry, t) / all_areas);
+            sum += shares[k] *
+                   (per_link * links[t] + evenly * glm::length(area_vector(geometry, t)) / all_areas);
             starts_.areas.push_back(sum);
         }
     }
 
-    [[nodiscard]] Start start_of(std::size_t path) const {
+    // Returns where a path begins; none: a mask leaves nothing there.
+    [[nodiscard]] std::optional<Start> start_of(std::size_t path) const {
         const WorldGeometry& geometry = input_.geometry;
         const FocusingSurface::Place place = starts_.place(path, kPaths);
+        if (present_ && !present_(place.triangle, static_cast<float>(place.b1), static_cast<float>(place.b2)))
+            return std::nullopt;
         const auto k = static_cast<std::size_t>(std::ranges::lower_bound(starts_.triangles, place.triangle) -
                                                 starts_.triangles.begin());
         const double paths =
@@ -161,7 +172,7 @@ private:
                   .position = glm::dvec3(0.0),
                   .facet = normal_of_triangle(geometry, place.triangle),
                   .frame = Frame(1.0),
-                  .area = area_of_triangle(geometry, place.triangle) / paths};
+                  .area = glm::length(area_vector(geometry, place.triangle)) / paths};
         glm::dvec3 normal(0.0);
         for (glm::length_t c = 0; c < 3; ++c) {
             out.position += weights[c] * glm::dvec3(geometry.positions[corners[c]]);
@@ -176,35 +187,38 @@ private:
     }
 
     // Chooses a light by its brightness at the starts. Returns its index, and sets `probability`.
-    [[nodiscard]] std::size_t light_for(std::span<const Start> starts, double at, double& probability) const {
+    [[nodiscard]] std::size_t light_for(std::span<const std::optional<Start>> starts, double at,
+                                        double& probability) const {
         thread_local std::vector<double> sums;
         sums.clear();
         double sum = 0;
         for (const LightSource* const source : sources_) {
-            for (const Start& start : starts) sum += double{source->brightness(glm::vec3(start.position))};
+            for (const std::optional<Start>& start : starts)
+                if (start) sum += double{source->brightness(glm::vec3(start->position))};
             sums.push_back(sum);
         }
         const auto chosen = static_cast<std::size_t>(std::ranges::upper_bound(sums, at * sum) - sums.begin());
         const std::size_t light = std::min(chosen, sums.size() - 1);
-        probability = (sums[light] - (light > 0 ? sums[light - 1] : 0)) / sum;
+        probability = sum > 0 ? (sums[light] - (light > 0 ? sums[light - 1] : 0)) / sum : 0;
         return light;
     }
 
     void follow(std::size_t group, Arrivals& out) const {
-        std::array<Start, kLanes> starts;
-        LaneVectors positions, origins;
+        std::array<std::optional<Start>, kLanes> starts;
+        LaneVectors positions{}, origins{};
         Lanes u, v;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const std::size_t path = i * kGroups + group;
-            starts[i] = start_of(path);
-            const double offset = offset_of_triangle(input_.geometry, starts[i].triangle);
-            put(positions, i, glm::vec3(starts[i].position));
-            put(origins, i, glm::vec3(starts[i].position + offset * starts[i].facet));
             // Golden ratios of the plane (Roberts, 2018), which have nothing in common with the places.
             const glm::dvec2 of_source = glm::fract(
                 0.5 + static_cast<double>(path) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
             u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
             v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
+            starts[i] = start_of(path);
+            if (!starts[i]) continue;
+            const double offset = offset_of_triangle(input_.geometry, starts[i]->triangle);
+            put(positions, i, glm::vec3(starts[i]->position));
+            put(origins, i, glm::vec3(starts[i]->position + offset * starts[i]->facet));
         }
         double probability = 0;
         const double at = sample_seed(static_cast<std::uint32_t>(group), 0) * 0x1p-32;
@@ -215,12 +229,13 @@ private:
         std::uint32_t lit = 0;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const glm::dvec3 towards(vector_at(light.towards, i));
-            if (glm::dot(starts[i].facet, towards) > 0 && glm::dot(starts[i].frame[2], towards) > 0)
+            if (starts[i] && glm::dot(starts[i]->facet, towards) > 0 &&
+                glm::dot(starts[i]->frame[2], towards) > 0)
                 lit |= light.points & 1U << i;
         }
         lit = lighting_.reached(light, lit, positions, origins, out.rays);
         for (std::size_t i = 0; i < kLanes; ++i)
-            if ((lit >> i & 1) != 0) scatter(starts[i], light, i, i * kGroups + group, probability, out);
+            if ((lit >> i & 1) != 0) scatter(*starts[i], light, i, i * kGroups + group, probability, out);
     }
 
     // Sends the light that reaches a start to another surface.
@@ -239,13 +254,10 @@ private:
         }
         const glm::dvec3 towards = glm::normalize(glm::dvec3(vector_at(light.towards, lane)));
         const glm::dvec3 from = glm::normalize(towards * start.frame);
-        const std::uint32_t seed = 0;
-        Lanes x, y;
-        light_samples(static_cast<std::uint32_t>(path), std::span(&seed, 1), x, y);
         thread_local std::vector<Mueller> muellers;
         muellers.resize(channels);
         const LobeChoice choice{.lobe = sample_seed(static_cast<std::uint32_t>(path), 1) * 0x1p-32,
-                                .facet = {x[0], y[0]}};
+                                .facet = facet_point(path)};
         const glm::dvec3 to = scatter_by_lobes(layers_[start.range], weights, from, choice, muellers);
         if (!(to.z > 0)) return;
         const glm::dvec3 direction = glm::normalize(start.frame * to);
@@ -264,7 +276,10 @@ private:
                                  glm::cross(-towards, glm::dvec3(vector_at(light.x, lane))), -towards},
                                 start.frame * theta_phi_frame(-from))
                 : 0;
-        const double out_of = angle_between(start.frame * theta_phi_frame(to), frames_.frame(direction));
+        const std::uint32_t nearest = direction_for(*hit, direction);
+        const glm::dvec3 sight(input_.directions->directions()[nearest]);
+        const double out_of =
+            angle_between(turned(start.frame * theta_phi_frame(to), -sight), frames_.frame(-sight));
         thread_local std::vector<Stokes> powers;
         powers.clear();
         for (std::size_t c = 0; c < channels; ++c) {
@@ -274,17 +289,28 @@ private:
                 arriving[static_cast<glm::length_t>(q)] = double{irradiance[q][lane]};
             powers.push_back(scale * rotated(muellers[c] * rotated(arriving, into), out_of));
         }
-        arrive(*hit, direction, powers, out);
+        arrive(*hit, nearest, powers, out);
+    }
+
+    // Returns the index of the direction that stands for that of a photon: the nearest, or one that is higher
+    // above the surface.
+    [[nodiscard]] std::uint32_t direction_for(const RayHit& hit, const glm::dvec3& direction) const {
+        const glm::dvec3 normal = normal_of_triangle(input_.geometry, hit.triangle);
+        for (int lift = 0;; ++lift) {
+            const std::uint32_t out = nearest_->of(glm::vec3(0.1 * lift * normal - direction));
+            if (glm::dot(glm::dvec3(input_.directions->directions()[out]), normal) >= kLeastCosine)
+                return out;
+        }
     }
 
     // Spreads a photon over the receivers.
-    void arrive(const RayHit& hit, const glm::dvec3& direction, std::span<const Stokes> powers,
+    void arrive(const RayHit& hit, std::uint32_t nearest, std::span<const Stokes> powers,
                 Arrivals& out) const {
-        const double cosine =
-            std::max(kLeastCosine, -glm::dot(direction, normal_of_triangle(input_.geometry, hit.triangle)));
+        // The direction's own cosine keeps the irradiance.
+        const double cosine = glm::dot(glm::dvec3(input_.directions->directions()[nearest]),
+                                       normal_of_triangle(input_.geometry, hit.triangle));
         const glm::uvec3& corners = input_.geometry.triangles[hit.triangle];
         const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
-        const std::uint32_t towards = nearest_.of(glm::vec3(-direction));
         std::array<std::pair<std::uint32_t, double>, 3 * Receivers::Blend::kMost> shares;
         std::size_t count = 0;
         for (glm::length_t k = 0; k < 3; ++k) {
@@ -303,7 +329,7 @@ private:
         }
         for (const auto& [receiver, share] : std::span(shares).first(count)) {
             if (!(areas_[receiver] > 0)) continue;
-            out.parts.push_back({receiver, towards});
+            out.parts.push_back({receiver, nearest});
             for (const Stokes& power : powers)
                 out.stokes.emplace_back(share / (cosine * areas_[receiver]) * power);
         }
@@ -313,7 +339,8 @@ private:
     const LinkedSurfaces& surfaces_;
     const LocalLighting& lighting_;
     std::vector<const LightSource*> sources_ = lighting_.sources();
-    NearestDirections nearest_{*input_.directions};
+    std::optional<NearestDirections> nearest_;
+    Presence present_;
     Viewpoint frames_ = link_frames();
     std::vector<std::vector<FollowedLayer>> layers_;                    // [range]
     FocusingSurface starts_{.range = 0, .triangles = {}, .areas = {}};  // with shares in place of areas
@@ -324,15 +351,21 @@ private:
 }  // namespace
 
 bool sends_photons(const Material& material, int term) {
-    return material.matrix(0) == nullptr && !material.smooth(term) &&
+    return !is_mixed(material, term) && !material.smooth(term) &&
            material.isotropic().lobe_width(term) < kWidestPhotonLobe;
+}
+
+std::uint64_t most_photon_bytes(std::size_t channels) {
+    constexpr std::uint64_t parts = kPaths * 3 * Receivers::Blend::kMost;
+    // The arrivals and their copy. Receivers that corners share leave room for vectors that grow.
+    return 2 * parts * (sizeof(LobePhotons::Part) + channels * sizeof(glm::vec4));
 }
 
 LobePhotons::LobePhotons(const TransferInput& input, const LinkedSurfaces& surfaces, RenderRun& run)
     : channels_(static_cast<std::size_t>(input.channels)) {
     Tracer tracer(input, surfaces);
     if (!tracer.any()) return;
-    const std::vector<Arrivals> arrivals = tracer.trace(run);
+    std::vector<Arrivals> arrivals = tracer.trace(run);
     firsts_.resize(surfaces.blocks() + 1);
     for (const Arrivals& some : arrivals) {
         run.statistics.light_rays += some.rays;
@@ -342,12 +375,14 @@ LobePhotons::LobePhotons(const TransferInput& input, const LinkedSurfaces& surfa
     std::vector<std::size_t> next(firsts_.begin(), firsts_.end() - 1);
     parts_.resize(firsts_.back());
     stokes_.resize(firsts_.back() * channels_);
-    for (const Arrivals& some : arrivals)
+    for (Arrivals& some : arrivals) {
         for (std::size_t k = 0; k < some.parts.size(); ++k) {
             const std::size_t to = next[some.parts[k].receiver / kLanes]++;
             parts_[to] = some.parts[k];
             std::copy_n(&some.stokes[k * channels_], channels_, &stokes_[to * channels_]);
         }
+        some = {};
+    }
 }
 
 }  // namespace nicol

@@ -17,8 +17,9 @@ namespace nicol {
 /// Lobes narrower than this many radians send photons. Links meet so little of what narrow lobes show of a
 /// lamp that some receivers would be far too bright and all others too dark.
 inline constexpr double kWidestPhotonLobe = 0.25;
-/// Returns whether a term of a material without variation() sends photons. Links carry what all other terms
-/// reflect of lamps.
+/// Returns whether a term of a material without variation() sends photons: if it reflects light by facets
+/// with a narrow lobe. Links carry what all other terms reflect of lamps, and what photons' terms reflect of
+/// the light that glass and mirrors focus.
 [[nodiscard]] bool sends_photons(const Material& material, int term);
 
 /// Photons of one scene. Each photon is spread over the receivers that interpolation at its place blends.
@@ -27,14 +28,14 @@ public:
     /// Part of a photon that a receiver gets.
     struct Part {
         std::uint32_t receiver;
-        std::uint32_t direction;  ///< index in the DirectionSet of the direction that is nearest
+        std::uint32_t direction;  ///< index in the DirectionSet of the direction that is near the photon's
     };
 
     LobePhotons() = default;
     /// Follows the light of input.local_lights, which must not be null. Adds the rays to the statistics.
     LobePhotons(const TransferInput& input, const LinkedSurfaces& surfaces, RenderRun& run);
 
-    /// Returns the range of the parts of a block of sixteen receivers, in the order of the receivers.
+    /// Returns the range of the parts of a block of sixteen receivers.
     [[nodiscard]] std::size_t first(std::size_t block) const { return firsts_.empty() ? 0 : firsts_[block]; }
     [[nodiscard]] std::size_t last(std::size_t block) const {
         return firsts_.empty() ? 0 : firsts_[block + 1];
@@ -51,5 +52,8 @@ private:
     std::vector<glm::vec4> stokes_;    // [part][channel]
     std::vector<std::size_t> firsts_;  // of each block, and the number of parts; empty: there are none
 };
+
+/// Returns the most bytes that the photons of a scene take, also while they are sorted.
+[[nodiscard]] std::uint64_t most_photon_bytes(std::size_t channels);
 
 }  // namespace nicol

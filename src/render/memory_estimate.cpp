@@ -17,8 +17,10 @@
 #include "draw/visibility_buffer.hpp"
 #include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "material/spatial_variation.hpp"
 #include "methods/bounce_columns.hpp"
 #include "methods/bounces.hpp"
+#include "methods/lobe_photons.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
 #include "render/wanted_executor.hpp"
@@ -128,6 +130,22 @@ std::uint64_t focused(const Scene& scene, const RenderOptions& options) {
     return bytes;
 }
 
+// Returns the bytes of photons that narrow lobes send.
+std::uint64_t photons(const Scene& scene, const RenderOptions& options) {
+    const bool lit =
+        scene.has_local_lights() || (scene.distant_light() != nullptr && most_extracted(options) > 0);
+    const bool sends = std::ranges::any_of(scene.instances(), [](const Instance& instance) {
+        return any_term(*instance.material, sends_photons);
+    });
+    return lit && sends && bounces(options) ? most_photon_bytes(static_cast<std::size_t>(scene.channels()))
+                                            : 0;
+}
+
+// Returns the bytes of all paths of light from lamps on.
+std::uint64_t paths(const Scene& scene, const RenderOptions& options) {
+    return focused(scene, options) + photons(scene, options);
+}
+
 // Returns the location of hits. Threads shade local lights, which may include the environment's extracted
 // lights; the device draws elements.
 VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options) {
@@ -169,7 +187,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         in_world + size.triangles * 3 * size.corner + size.vertices * (1 + channels * sizeof(glm::vec4));
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
     if (size.vertices == 0) return estimate;
-    estimate.focused = focused(scene, options);
+    estimate.focused = paths(scene, options);
 
     const int order = order_of(scene, options);
     const LightLayout layout(order, kind_of(scene, options));
@@ -247,19 +265,19 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
     vertices_ = size_of(scene).vertices;
     if (!saves()) return;
     image_ = image_memory(scene, options, width, height) + gradients.texels;
-    checking_.run(
-        scene.geometry_version(), scene.channels(), kind_of(scene, options), distant_kind(scene),
-        bounces(options), options.method, order_of(scene, options), options.order_high, options.high_orders,
-        options.shadows, options.high_order_shadows, options.bake_directions, options.disabled_optimisations,
-        image_, focused(scene, options), gradients.of_vertices, [&] {
-            estimate_ = estimate_memory(scene, options);
-            estimate_.transfer += gradients.of_vertices;
-            const std::uint64_t needed = estimate_.total() + image_;
-            if (needed <= bytes_) return;
-            throw Error(ErrorCode::out_of_memory,
-                        "the scene and its image need up to " + std::to_string(needed) +
-                            " bytes at run time; the context's memory_limit is " + std::to_string(bytes_));
-        });
+    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), distant_kind(scene),
+                  bounces(options), options.method, order_of(scene, options), options.order_high,
+                  options.high_orders, options.shadows, options.high_order_shadows, options.bake_directions,
+                  options.disabled_optimisations, image_, paths(scene, options), gradients.of_vertices, [&] {
+                      estimate_ = estimate_memory(scene, options);
+                      estimate_.transfer += gradients.of_vertices;
+                      const std::uint64_t needed = estimate_.total() + image_;
+                      if (needed <= bytes_) return;
+                      throw Error(ErrorCode::out_of_memory,
+                                  "the scene and its image need up to " + std::to_string(needed) +
+                                      " bytes at run time; the context's memory_limit is " +
+                                      std::to_string(bytes_));
+                  });
     share_.reserve(estimate_.visibility + estimate_.transfer + estimate_.focused + image_);
 }
 

@@ -24,7 +24,7 @@ struct MemoryEstimate {
     std::uint64_t transfer = 0;
     /// Buffers of vertices and triangles, without the work space of compute shaders.
     std::uint64_t buffers = 0;
-    /// Light that smooth surfaces focus, which Statistics count as transfer. Vertices do not add to it.
+    /// Light that smooth surfaces focus, as transfer, and photons while they exist. Vertices add to neither.
     std::uint64_t focused = 0;
 
     [[nodiscard]] std::uint64_t total() const noexcept { return of_vertices() + focused; }

@@ -97,7 +97,8 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
     LitBatch batch(views, points, material, rays_, lights_, sums);
-    if (lights_.any_source() && batch.any_layer_has(false)) {  // light samples have no effect otherwise
+    // Light samples have no effect otherwise.
+    if (samples > 0 && lights_.any_source() && batch.any_layer_has(false)) {
         batch.find_places();
         thread_local std::vector<LitBatch::Source> sources;
         sources.clear();

@@ -115,6 +115,10 @@ public:
     [[nodiscard]] bool any_extracted() const noexcept { return !lights_.extracted.empty(); }
     /// Returns whether there is a local or an extracted light.
     [[nodiscard]] bool any_source() const noexcept { return lights_.any_source(); }
+    /// Returns whether light that smooth surfaces send to others is known.
+    [[nodiscard]] bool any_focused() const noexcept {
+        return lights_.focused != nullptr || lights_.focused_extracted != nullptr;
+    }
     /// Returns the local and the extracted lights.
     [[nodiscard]] std::vector<const LightSource*> sources() const;
     /// Returns the bits of `points` that a light sample reaches, and dims the light that passes glass.
@@ -145,7 +149,8 @@ public:
                    out);
     }
     /// Adds the reflection of local and of extracted lights by all terms, and nothing of the rest of the
-    /// environment. samples: number of light samples for wide lights, in place of the object's.
+    /// environment. samples: number of light samples for wide lights, in place of the object's; 0: only
+    /// focused light.
     LightingTally add_lights(const Views& views, const LitPoints& points, const LitMaterial& material,
                              std::uint32_t samples, std::span<const std::span<glm::vec4>> out) const {
         return add(views, points, material, nullptr, samples, out);

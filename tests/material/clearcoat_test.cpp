@@ -5,6 +5,7 @@
 #include "function_texture.hpp"
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
+#include "material/mixed_terms.hpp"
 #include "material/mixture.hpp"
 #include "test.hpp"
 
@@ -53,4 +54,31 @@ TEST_CASE("coats of nothing, of glass and out of range are refused") {
     CHECK_INVALID(clearcoat(grey, {.factor = 1.5}));
     CHECK_INVALID(clearcoat(grey, {.eta = 0}));
     CHECK_INVALID(clearcoat(grey, {.alpha = 2}));
+}
+
+TEST_CASE("terms that reflect light beside their lobes are known below coats and in mixtures") {
+    const MaterialPtr metal = rough_conductor({.eta = metal_index("Au"), .alpha = 0.2});
+    const MaterialPtr function = callback_material({.reflect =
+                                                        [](int, const glm::dvec3&, const glm::dvec3&) {
+                                                            Mueller out;
+                                                            out(0, 0) = 0.2;
+                                                            return out;
+                                                        },
+                                                    .lobe_width = 0.2});
+    const struct {
+        MaterialPtr material;
+        bool mixed;
+    } rows[] = {{metal, false},
+                {function, true},
+                {twosided(metal), false},
+                {twosided(function), true},
+                {sum(metal, metal), false},
+                {sum(function, metal), true},
+                {clearcoat(metal, {.alpha = 0.1}), false},
+                {clearcoat(function, {.alpha = 0.1}), true}};
+    for (const auto& row : rows) {
+        CHECK(is_mixed(*row.material, 0) == row.mixed);
+        const int last = row.material->terms() - 1;
+        CHECK(is_mixed(*row.material, last) == (row.mixed && last == 0));
+    }
 }

@@ -181,7 +181,8 @@ def main():
         for seed in range(asked.first, asked.first + asked.count):
             scene = random_scene.RandomScene(seed, asked.assets.resolve(), asked.without)
             file.write_text(scene.text)
-            of_unit_size.write_text(random_scene.RandomScene(seed, asked.assets.resolve(), asked.without, 1.0).text)
+            if asked.mitsuba:
+                of_unit_size.write_text(random_scene.RandomScene(seed, asked.assets.resolve(), asked.without, 1.0).text)
             try:
                 error = peers.compare(context, file, of_unit_size)
             except nicol.Error as refused:

@@ -142,47 +142,100 @@ IMAGE_TEST_CASE("bounced light is polarized as that of rays") {
 
 IMAGE_TEST_CASE("narrow lobes send the light of lamps on as by rays") {
     test::Studio render(context, 32, 24);
+    const auto flat = test::with_texcoords(make_rectangle(4)),
+               ground = test::with_texcoords(make_rectangle(32));
+    // A quarter of the area is there.
+    constexpr int cells = 16;
+    TextureImage quarter{.width = cells, .height = cells, .channels = 1};
+    for (int i = 0; i < cells * cells; ++i)
+        quarter.values.push_back(i % 2 == 0 && i / cells % 2 == 0 ? 1.0F : 0.0F);
+    const TexturePtr some = image_texture(std::move(quarter), {.filter = TextureSampling::Filter::nearest});
+    enum class Scenery { plain, cut_metal, cut_floor, mirror };
     const struct {
         double alpha, alpha_v;
         LocalLight::Kind lamp;
-    } rows[] = {{0.05, 0, LocalLight::Kind::spot},
-                {0.2, 0, LocalLight::Kind::spot},
-                {0.05, 0.12, LocalLight::Kind::spot},
-                {0.08, 0, LocalLight::Kind::directional}};
+        Scenery scenery;
+    } rows[] = {{0.05, 0, LocalLight::Kind::spot, Scenery::plain},
+                {0.2, 0, LocalLight::Kind::spot, Scenery::plain},
+                {0.05, 0.12, LocalLight::Kind::spot, Scenery::plain},
+                {0.08, 0, LocalLight::Kind::directional, Scenery::plain},
+                {0.2, 0, LocalLight::Kind::spot, Scenery::cut_metal},
+                {0.2, 0, LocalLight::Kind::spot, Scenery::cut_floor},
+                {0.2, 0, LocalLight::Kind::spot, Scenery::mirror}};
     for (const auto& row : rows) {
         CAPTURE(row.alpha);
         CAPTURE(row.alpha_v);
+        CAPTURE(static_cast<int>(row.scenery));
         const bool spot = row.lamp == LocalLight::Kind::spot;
         const MaterialPtr metal =
             rough_conductor({.eta = {{0.2, -3.0}}, .alpha = row.alpha, .alpha_v = row.alpha_v});
-        Scene scene;
-        // The lamp lights the wall's front alone, and the floor has the light that the wall sends.
-        static const auto flat = test::with_texcoords(make_rectangle(4));
-        scene.add({.mesh = flat, .material = metal, .to_world = kBack});
-        scene.add(
-            {.mesh = test::rectangle(32), .material = diffuse({0.8}), .to_world = test::plate_at(-1, 2)});
-        const glm::dvec3 place(0, 4, 0), target(0, 1, -2);
-        scene.add_light(
-            {.kind = row.lamp,
-             .value = {spot ? 40.0 : 2.0},
-             .to_world = glm::inverse(glm::lookAt(place, 2.0 * place - target, glm::dvec3(0, 1, 0))),
-             .cutoff_angle = 0.15,
-             .beam_width = 0.12});
+        const MaterialPtr white = diffuse({0.8});
+        const auto with_lamp = [&](const glm::dvec3& place, const glm::dvec3& target) {
+            // The lamp lights the wall's front alone, and the floor has the light that the wall sends.
+            Scene scene;
+            scene.add({.mesh = flat,
+                       .material = row.scenery == Scenery::cut_metal ? masked(metal, some) : metal,
+                       .to_world = kBack});
+            scene.add({.mesh = ground,
+                       .material = row.scenery == Scenery::cut_floor ? masked(white, some) : white,
+                       .to_world = test::plate_at(-1, 2)});
+            scene.add_light(
+                {.kind = row.lamp,
+                 .value = {spot ? 40.0 : 2.0},
+                 .to_world = glm::inverse(glm::lookAt(place, 2.0 * place - target, glm::dvec3(0, 1, 0))),
+                 .cutoff_angle = 0.15,
+                 .beam_width = 0.12});
+            return scene;
+        };
+        const bool mirrored = row.scenery == Scenery::mirror;
+        const glm::dvec3 place(0, mirrored ? 2 : 4, mirrored ? 4 : 0), target(0, 1, -2);
+        const Scene seen = with_lamp(place, target);
+        // Rays find no lamp by a mirror, but its mirror image.
+        Scene scene = seen;
+        if (mirrored) {
+            scene = with_lamp({place.x, place.y, 2}, {target.x, target.y, 8});
+            scene.add({.mesh = test::rectangle(1),
+                       .material = conductor({{0.0, -100.0}}),
+                       .to_world = test::at(0, place.y, 3, 0.8) *
+                                   glm::rotate(glm::dmat4(1), glm::radians(180.0), glm::dvec3(0, 1, 0))});
+        }
         // The camera sees equal areas of the floor in all pixels, nearly.
         const Camera camera = test::camera_at({0.1, 9, 0}, {0, -1, 0});
-        // Light that is reflected once, and twice.
-        const auto bounced = [&](const RenderOptions& twice) {
+        // Light that is reflected once, and more often.
+        const auto bounced = [&](const Scene& of, const RenderOptions& twice) {
             RenderOptions once = twice;
             once.max_depth = 2;
-            StokesImage out = render(scene, twice, camera);
-            const StokesImage direct = render(scene, once, camera);
+            StokesImage out = render(of, twice, camera);
+            const StokesImage direct = render(of, once, camera);
             for (std::size_t i = 0; i < out.data.size(); ++i) out.data[i] -= direct.data[i];
             return out;
         };
-        const StokesImage truth = bounced({.method = Method::reference, .samples = 256, .max_depth = 3});
-        const StokesImage image = bounced(bouncing(3, 8));
+        const StokesImage truth =
+            bounced(seen, {.method = Method::reference, .samples = 1024, .max_depth = 3});
+        const StokesImage image = bounced(scene, bouncing(mirrored ? 4 : 3, 8));
         CHECK(mean_s0(image) / mean_s0(truth) == doctest::Approx(1).epsilon(0.1));
     }
+}
+
+IMAGE_TEST_CASE("narrow lobes send the light of a lamp that has moved on, by any number of threads") {
+    Scene scene;
+    scene.add({.mesh = test::rectangle(4),
+               .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.1}),
+               .to_world = kBack});
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.8}), .to_world = test::plate_at(-1, 2)});
+    const auto lamp = [](double x) {
+        return LocalLight{.kind = LocalLight::Kind::point, .value = {4.0}, .to_world = test::at(x, 2, 0, 1)};
+    };
+    const std::uint32_t id = scene.add_light(lamp(0));
+    test::Studio render(context, 32, 24);
+    const StokesImage before = render(scene, bouncing(3));
+    scene.set_light(id, lamp(0.5));
+    const StokesImage moved = render(scene, bouncing(3));
+    CHECK(rms_difference(moved, before) > 0.01 * rms(before));
+    Renderer fresh(context, {.threads = 1});
+    Framebuffer target(context, 32, 24, scene.channels());
+    fresh.render(scene, test::some_camera(), bouncing(3), target);
+    CHECK(rms_difference(moved, target.image()) == 0);
 }
 
 IMAGE_TEST_CASE("brushed metal reflects what surfaces around it reflect") {

@@ -1590,7 +1590,7 @@ class Statistics(Struct):
     local_lights: local lights: the scene's, each instance that emits light, and lights_split
     lights_split: extracted lights that were taken out of the environment
     light_rays: real-time methods: rays from vertices and pixels to local lights, and of the light
-                                               that glass and mirrors focus
+                                               that glass and mirrors focus or narrow lobes send on
     light_ms: part of shade_ms for local lights, their shadows and the light that glass and mirrors
                                                focus, which is found anew when lights or surfaces change
     smooth_rays: real-time methods: rays from pixels that show glass, mirrors or narrow lobes of
