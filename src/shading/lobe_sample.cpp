@@ -25,15 +25,15 @@ void for_parts(std::span<const FollowedLayer> layers, std::span<const glm::vec3>
 }
 
 /// A direction, and its density per steradian; 0: no facet was chosen.
-struct Chosen {
+struct ChosenDirection {
     glm::dvec3 direction;
     double density;
 };
 
 // Chooses a direction by a facet that is visible from another one.
-Chosen choose(std::span<const FollowedLayer> layers, std::span<const glm::vec3> weights,
-              const glm::dvec3& from, const LobeChoice& choice) {
-    constexpr Chosen nothing{.direction = glm::dvec3(0.0), .density = 0};
+ChosenDirection choose(std::span<const FollowedLayer> layers, std::span<const glm::vec3> weights,
+                       const glm::dvec3& from, const LobeChoice& choice) {
+    constexpr ChosenDirection nothing{.direction = glm::dvec3(0.0), .density = 0};
     double all = 0;
     for_parts(layers, weights, [&](const Lobe&, double reflectance) { all += reflectance; });
     double below = choice.lobe * all;
