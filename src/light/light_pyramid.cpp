@@ -14,6 +14,7 @@
 #include <span>
 
 #include "light/environment_texels.hpp"
+#include "polarization/moved_axis.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/work_space.hpp"
 
@@ -47,11 +48,6 @@ double interpolation(int width) {
 glm::vec3 frame_of(float turn) {
     const float angle = 2 * std::numbers::pi_v<float> * turn;
     return {std::cos(angle), 0, std::sin(angle)};
-}
-
-// Returns a direction's frame, moved to another direction along the shortest way.
-glm::vec3 moved(const glm::vec3& frame, const glm::vec3& from, const glm::vec3& to) {
-    return frame - glm::dot(frame, to) / (1 + glm::dot(from, to)) * (from + to);
 }
 
 // Direction at which blobs about the texels of a row look up an image. Relative to a texel, it is the same

@@ -69,11 +69,7 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
                                                           {.positions = std::span(positions).first(count),
                                                            .normals = std::span(normals).first(count),
                                                            .tangents = {},
-                                                           .facets = {},
-                                                           .unperturbed = {},
                                                            .origins = std::span(positions).first(count),
-                                                           .mirrored = nullptr,
-                                                           .parts = {},
                                                            .seeds = std::span(seeds).first(count),
                                                            .shadowed = true},
                                                           {.layers = layers, .weights = {}},
@@ -104,10 +100,7 @@ std::optional<LightKind> kind_of(const PshVector& light) {
 
 Receivers receivers_of(const TransferInput& input, RenderRun& run) {
     const WorldGeometry& geometry = input.geometry;
-    const BakeGeometry baked{.positions = geometry.positions,
-                             .normals = geometry.normals,
-                             .triangles = geometry.triangles,
-                             .present = presence_of(geometry)};
+    const BakeGeometry baked = link_geometry(geometry);
     const TriangleSides sides = sides_of(geometry);
     const LinkSearch search(baked, sides, *input.directions, *input.visibility);
     return find_receivers(baked, search, *input.visibility,

@@ -14,6 +14,7 @@
 #include "shading/light_samples.hpp"
 #include "surfaces/plain_materials.hpp"
 #include "surfaces/tangents.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -23,9 +24,7 @@ constexpr std::uint32_t kLinkLightSamples = 1;
 
 // Sets lane i of the points to where a link ends. Textures have no footprint there.
 void put_point(const WorldGeometry& geometry, const SurfaceLink& link, std::size_t i, TexturePoints& points) {
-    const TexturePoint at = texture_point(
-        corner_weights(link), geometry.texcoords.empty() ? nullptr : &geometry.texcoords[link.triangle],
-        geometry.colors.empty() ? nullptr : &geometry.colors[link.triangle]);
+    const TexturePoint at = texture_point(geometry, link.triangle, corner_weights(link));
     for (glm::length_t k = 0; k < 2; ++k) points.uv[static_cast<std::size_t>(k)][i] = at.uv[k];
     for (glm::length_t k = 0; k < 3; ++k) points.color[static_cast<std::size_t>(k)][i] = at.color[k];
 }
@@ -159,6 +158,13 @@ std::size_t LinkedSurfaces::bytes() const noexcept {
            weights_.size() * sizeof(LayerWeights);
 }
 
+BakeGeometry link_geometry(const WorldGeometry& geometry) {
+    return {.positions = geometry.positions,
+            .normals = geometry.normals,
+            .triangles = geometry.triangles,
+            .present = presence_of(geometry)};
+}
+
 TriangleSides sides_of(const WorldGeometry& geometry) {
     TriangleSides out;
     for (const TriangleBatch& batch : triangle_batches(geometry)) {
@@ -182,10 +188,8 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
                              const LinkedSurfaces& surfaces, const LinkedSurfaces::Batch& batch,
                              const LocalLighting& lighting, LinkStokes& out) {
     const MaterialPtr& material = geometry.ranges[batch.range].material;
-    // Photons carry what narrow lobes reflect of lamps, but nothing of the light that glass and mirrors
-    // focus.
+    // Photons carry what narrow lobes reflect of lamps.
     const LayersOf lit(material, [](const Material& layer, int term) { return !sends_photons(layer, term); });
-    const LayersOf focusing(material, sends_photons);
     const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();
     constexpr std::size_t most = kLanes;
     const std::size_t count = batch.count;
@@ -216,17 +220,17 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
     const LitPoints points{.positions = std::span(positions).first(count),
                            .normals = std::span(normals).first(count),
                            .tangents = std::span(tangents).first(anisotropic ? count : 0),
-                           .facets = {},
-                           .unperturbed = {},
                            .origins = std::span(origins).first(count),
-                           .mirrored = nullptr,
-                           .parts = {},
                            .seeds = std::span(seeds).first(count),
                            .shadowed = true};
     LightingTally tally = lighting.add_lights(seen, points, {lit.layers(), surfaces.weights(batch)},
                                               kLinkLightSamples, channels);
-    if (lighting.any_focused() && focusing.any())
-        tally += lighting.add_lights(seen, points, {focusing.layers(), surfaces.weights(batch)}, 0, channels);
+    if (lighting.any_focused()) {  // light that glass and mirrors focus, of which photons carry nothing
+        const LayersOf narrow(material, sends_photons);
+        if (narrow.any())
+            tally +=
+                lighting.add_lights(seen, points, {narrow.layers(), surfaces.weights(batch)}, 0, channels);
+    }
     for (std::size_t c = 0; c < out.size(); ++c) std::ranges::copy(channels[c], &out[c][batch.first]);
     return tally;
 }

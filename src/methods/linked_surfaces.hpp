@@ -67,6 +67,8 @@ private:
     bool grey_ = true;
 };
 
+/// Returns what links are searched in: a geometry that must outlive the result.
+[[nodiscard]] BakeGeometry link_geometry(const WorldGeometry& geometry);
 /// Returns the triangles of a geometry by the side that they show.
 [[nodiscard]] TriangleSides sides_of(const WorldGeometry& geometry);
 /// Returns the weights of the corners of a link's triangle at its end.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -13,13 +12,14 @@
 #include "material/mixed_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "methods/receiver_areas.hpp"
+#include "polarization/moved_axis.hpp"
 #include "polarization/mueller.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/lobe_sample.hpp"
 #include "surfaces/focusing_surfaces.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/tangents.hpp"
-#include "surfaces/triangle_offset.hpp"
+#include "surfaces/triangle_point.hpp"
 #include "transfer/nearest_directions.hpp"
 #include "transfer/surface_points.hpp"
 
@@ -43,44 +43,26 @@ struct Arrivals {
 
 /// Point of a surface with narrow lobes where a path begins.
 struct Start {
+    TrianglePoint at;
     std::uint32_t triangle;
     std::size_t range;
     glm::vec3 weights;  // of the triangle's corners
-    glm::dvec3 position;
-    glm::dvec3 facet;  // unit normal of the triangle
-    Frame frame;       // z: unit shading normal
-    double area;       // that the path stands for
+    Frame frame;        // z: unit shading normal
+    double area;        // that the path stands for
 };
 
-glm::dvec3 normal_of_triangle(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const glm::dvec3 normal = area_vector(geometry, triangle);
-    const double length = glm::length(normal);
-    return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
-}
-
-std::uint32_t reversed(std::uint32_t x) {
-    std::uint32_t out = 0;
-    for (int k = 0; k < 32; ++k) out |= (x >> k & 1U) << (31 - k);
-    return out;
-}
-
 // Returns the point of [0, 1)^2 that chooses a path's facet. Each block of a power of two of consecutive
-// paths fills the square evenly, in an order unlike that of the places where they begin (Burley, 2020).
+// paths fills the square evenly, in an order unlike that of the places where they begin.
 glm::dvec2 facet_point(std::size_t path) {
-    std::uint32_t x = reversed(static_cast<std::uint32_t>(path)) + 0x68bc21ebU;
-    for (const std::uint32_t factor : {0x6c50b47cU, 0xb82f1e52U, 0xc7afe638U, 0x8d22f6e6U}) x ^= x * factor;
     const std::uint32_t seed = 0;
     Lanes u, v;
-    light_samples(reversed(x), std::span(&seed, 1), u, v);
+    light_samples(shuffled(static_cast<std::uint32_t>(path)), std::span(&seed, 1), u, v);
     return {u[0], v[0]};
 }
 
-// Turns a frame so that its z is b, by the smallest rotation of its z.
-Frame turned(const Frame& frame, const glm::dvec3& b) {
-    const glm::dvec3 middle = frame[2] + b;
-    const double scale = 1 / (1 + glm::dot(frame[2], b));
-    const auto turn = [&](const glm::dvec3& v) { return v - scale * glm::dot(v, b) * middle; };
-    return {turn(frame[0]), turn(frame[1]), b};
+// Returns a frame whose z is moved to another direction along the shortest way.
+Frame turned(const Frame& frame, const glm::dvec3& z) {
+    return {moved(frame[0], frame[2], z), moved(frame[1], frame[2], z), z};
 }
 
 class Tracer {
@@ -93,10 +75,7 @@ public:
     [[nodiscard]] bool any() const { return !starts_.areas.empty() && starts_.areas.back() > 0; }
 
     [[nodiscard]] std::vector<Arrivals> trace(RenderRun& run) {
-        const BakeGeometry baked{.positions = input_.geometry.positions,
-                                 .normals = input_.geometry.normals,
-                                 .triangles = input_.geometry.triangles,
-                                 .present = presence_of(input_.geometry)};
+        const BakeGeometry baked = link_geometry(input_.geometry);
         const TriangleSides sides = sides_of(input_.geometry);
         std::optional<SurfacePoints> points;
         run.workers.run([&] { points.emplace(baked, sides); });
@@ -136,10 +115,13 @@ private:
         if (shares.empty()) return;
         std::vector<double> links(geometry.triangles.size());
         for (const SurfaceLink& link : surfaces_.links()) ++links[link.triangle];
+        std::vector<double> areas;
+        areas.reserve(shares.size());
         double all_links = 0, all_areas = 0;
         for (std::size_t k = 0; k < shares.size(); ++k) {
+            areas.push_back(glm::length(area_vector(geometry, starts_.triangles[k])));
             all_links += shares[k] * links[starts_.triangles[k]];
-            all_areas += shares[k] * glm::length(area_vector(geometry, starts_.triangles[k]));
+            all_areas += shares[k] * areas[k];
         }
         if (!(all_areas > 0)) return;
         const double evenly = all_links > 0 ? kEvenly : 1;
@@ -147,9 +129,7 @@ private:
         double sum = 0;
         starts_.areas.reserve(shares.size());
         for (std::size_t k = 0; k < shares.size(); ++k) {
-            const std::uint32_t t = starts_.triangles[k];
-            sum += shares[k] *
-                   (per_link * links[t] + evenly * glm::length(area_vector(geometry, t)) / all_areas);
+            sum += shares[k] * (per_link * links[starts_.triangles[k]] + evenly * areas[k] / all_areas);
             starts_.areas.push_back(sum);
         }
     }
@@ -164,26 +144,18 @@ private:
                                                 starts_.triangles.begin());
         const double paths =
             kPaths * (starts_.areas[k] - (k > 0 ? starts_.areas[k - 1] : 0)) / starts_.areas.back();
-        const glm::uvec3& corners = geometry.triangles[place.triangle];
-        const glm::dvec3 weights(1 - place.b1 - place.b2, place.b1, place.b2);
-        Start out{.triangle = place.triangle,
-                  .range = range_of(geometry, corners.x),
-                  .weights = glm::vec3(weights),
-                  .position = glm::dvec3(0.0),
-                  .facet = normal_of_triangle(geometry, place.triangle),
-                  .frame = Frame(1.0),
-                  .area = glm::length(area_vector(geometry, place.triangle)) / paths};
-        glm::dvec3 normal(0.0);
-        for (glm::length_t c = 0; c < 3; ++c) {
-            out.position += weights[c] * glm::dvec3(geometry.positions[corners[c]]);
-            normal += weights[c] * glm::dvec3(geometry.normals[corners[c]]);
-        }
-        normal = glm::length(normal) > 0 ? glm::normalize(normal) : out.facet;
+        const TrianglePoint at = triangle_point(geometry, place.triangle, place.b1, place.b2);
+        const std::size_t range = range_of(geometry, geometry.triangles[place.triangle].x);
+        const glm::vec3 weights(1 - place.b1 - place.b2, place.b1, place.b2);
         glm::vec3 along(0);
-        if (geometry.ranges[out.range].material->anisotropic() && !geometry.texcoords.empty())
-            along = tangent(geometry, place.triangle, out.weights);
-        out.frame = frame_along(normal, glm::dvec3(along));
-        return out;
+        if (geometry.ranges[range].material->anisotropic() && !geometry.texcoords.empty())
+            along = tangent(geometry, place.triangle, weights);
+        return Start{.at = at,
+                     .triangle = place.triangle,
+                     .range = range,
+                     .weights = weights,
+                     .frame = frame_along(at.normal, glm::dvec3(along)),
+                     .area = glm::length(area_vector(geometry, place.triangle)) / paths};
     }
 
     // Chooses a light by its brightness at the starts. Returns its index, and sets `probability`.
@@ -194,7 +166,7 @@ private:
         double sum = 0;
         for (const LightSource* const source : sources_) {
             for (const std::optional<Start>& start : starts)
-                if (start) sum += double{source->brightness(glm::vec3(start->position))};
+                if (start) sum += double{source->brightness(glm::vec3(start->at.position))};
             sums.push_back(sum);
         }
         const auto chosen = static_cast<std::size_t>(std::ranges::upper_bound(sums, at * sum) - sums.begin());
@@ -209,16 +181,14 @@ private:
         Lanes u, v;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const std::size_t path = i * kGroups + group;
-            // Golden ratios of the plane (Roberts, 2018), which have nothing in common with the places.
-            const glm::dvec2 of_source = glm::fract(
-                0.5 + static_cast<double>(path) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
-            u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
-            v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
+            const glm::vec2 of_source = even_point(path);
+            u[i] = of_source.x;
+            v[i] = of_source.y;
             starts[i] = start_of(path);
             if (!starts[i]) continue;
-            const double offset = offset_of_triangle(input_.geometry, starts[i]->triangle);
-            put(positions, i, glm::vec3(starts[i]->position));
-            put(origins, i, glm::vec3(starts[i]->position + offset * starts[i]->facet));
+            const TrianglePoint& at = starts[i]->at;
+            put(positions, i, glm::vec3(at.position));
+            put(origins, i, glm::vec3(at.position + at.offset * at.facet));
         }
         double probability = 0;
         const double at = sample_seed(static_cast<std::uint32_t>(group), 0) * 0x1p-32;
@@ -229,7 +199,7 @@ private:
         std::uint32_t lit = 0;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const glm::dvec3 towards(vector_at(light.towards, i));
-            if (starts[i] && glm::dot(starts[i]->facet, towards) > 0 &&
+            if (starts[i] && glm::dot(starts[i]->at.facet, towards) > 0 &&
                 glm::dot(starts[i]->frame[2], towards) > 0)
                 lit |= light.points & 1U << i;
         }
@@ -246,9 +216,7 @@ private:
         weights.assign(1, glm::vec3(1));
         const WorldGeometry& geometry = input_.geometry;
         if (const SpatialVariation* const variation = geometry.ranges[start.range].material->variation()) {
-            const TexturePoint at = texture_point(
-                start.weights, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[start.triangle],
-                geometry.colors.empty() ? nullptr : &geometry.colors[start.triangle]);
+            const TexturePoint at = texture_point(geometry, start.triangle, start.weights);
             weights.resize(variation->layers.size());
             variation->weights(at, weights);
         }
@@ -261,11 +229,11 @@ private:
         const glm::dvec3 to = scatter_by_lobes(layers_[start.range], weights, from, choice, muellers);
         if (!(to.z > 0)) return;
         const glm::dvec3 direction = glm::normalize(start.frame * to);
-        const double facing = glm::dot(direction, start.facet);
+        const double facing = glm::dot(direction, start.at.facet);
         if (!(facing > 0)) return;
         ++out.rays;
-        const std::optional<RayHit> hit = points_->find(
-            leaving(start.position, start.facet, direction, offset_of_triangle(geometry, start.triangle)));
+        const std::optional<RayHit> hit =
+            points_->find(leaving(start.at.position, start.at.facet, direction, start.at.offset));
         if (!hit) return;
 
         // The reflected radiance is that by the shading normal, the surface that it leaves is the triangle.
@@ -276,7 +244,8 @@ private:
                                  glm::cross(-towards, glm::dvec3(vector_at(light.x, lane))), -towards},
                                 start.frame * theta_phi_frame(-from))
                 : 0;
-        const std::uint32_t nearest = direction_for(*hit, direction);
+        const glm::dvec3 normal = triangle_point(geometry, hit->triangle, hit->b1, hit->b2).facet;
+        const std::uint32_t nearest = direction_for(normal, direction);
         const glm::dvec3 sight(input_.directions->directions()[nearest]);
         const double out_of =
             angle_between(turned(start.frame * theta_phi_frame(to), -sight), frames_.frame(-sight));
@@ -289,13 +258,12 @@ private:
                 arriving[static_cast<glm::length_t>(q)] = double{irradiance[q][lane]};
             powers.push_back(scale * rotated(muellers[c] * rotated(arriving, into), out_of));
         }
-        arrive(*hit, nearest, powers, out);
+        arrive(*hit, nearest, glm::dot(sight, normal), powers, out);
     }
 
     // Returns the index of the direction that stands for that of a photon: the nearest, or one that is higher
-    // above the surface.
-    [[nodiscard]] std::uint32_t direction_for(const RayHit& hit, const glm::dvec3& direction) const {
-        const glm::dvec3 normal = normal_of_triangle(input_.geometry, hit.triangle);
+    // above the surface of this normal.
+    [[nodiscard]] std::uint32_t direction_for(const glm::dvec3& normal, const glm::dvec3& direction) const {
         for (int lift = 0;; ++lift) {
             const std::uint32_t out = nearest_->of(glm::vec3(0.1 * lift * normal - direction));
             if (glm::dot(glm::dvec3(input_.directions->directions()[out]), normal) >= kLeastCosine)
@@ -303,12 +271,9 @@ private:
         }
     }
 
-    // Spreads a photon over the receivers.
-    void arrive(const RayHit& hit, std::uint32_t nearest, std::span<const Stokes> powers,
+    // Spreads a photon over the receivers. cosine: that of the nearest direction, which keeps the irradiance.
+    void arrive(const RayHit& hit, std::uint32_t nearest, double cosine, std::span<const Stokes> powers,
                 Arrivals& out) const {
-        // The direction's own cosine keeps the irradiance.
-        const double cosine = glm::dot(glm::dvec3(input_.directions->directions()[nearest]),
-                                       normal_of_triangle(input_.geometry, hit.triangle));
         const glm::uvec3& corners = input_.geometry.triangles[hit.triangle];
         const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
         std::array<std::pair<std::uint32_t, double>, 3 * Receivers::Blend::kMost> shares;

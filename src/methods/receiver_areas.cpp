@@ -7,6 +7,7 @@
 
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -30,14 +31,6 @@ glm::dvec3 present_weights(const Presence& present, std::uint32_t triangle) {
 }
 
 }  // namespace
-
-glm::dvec3 area_vector(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const glm::uvec3& corners = geometry.triangles[triangle];
-    const glm::dvec3 first(geometry.positions[corners.x]);
-    return glm::cross(glm::dvec3(geometry.positions[corners.y]) - first,
-                      glm::dvec3(geometry.positions[corners.z]) - first) /
-           2.0;
-}
 
 std::vector<double> areas_of_receivers(const WorldGeometry& geometry, const LinkedSurfaces& surfaces,
                                        const Presence& present) {

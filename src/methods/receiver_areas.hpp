@@ -2,8 +2,6 @@
 // Areas of surfaces that receivers of bounced light stand for.
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
@@ -11,9 +9,6 @@
 #include "surfaces/geometry.hpp"
 
 namespace nicol {
-
-/// Returns a vector along a triangle's normal, as long as its area.
-[[nodiscard]] glm::dvec3 area_vector(const WorldGeometry& geometry, std::uint32_t triangle);
 
 /// Returns the area that interpolation gives to each receiver. present: presence_of(geometry); absent surface
 /// has no area.

@@ -134,11 +134,11 @@ std::uint64_t focused(const Scene& scene, const RenderOptions& options) {
 std::uint64_t photons(const Scene& scene, const RenderOptions& options) {
     const bool lit =
         scene.has_local_lights() || (scene.distant_light() != nullptr && most_extracted(options) > 0);
+    if (!lit || !bounces(options)) return 0;
     const bool sends = std::ranges::any_of(scene.instances(), [](const Instance& instance) {
         return any_term(*instance.material, sends_photons);
     });
-    return lit && sends && bounces(options) ? most_photon_bytes(static_cast<std::size_t>(scene.channels()))
-                                            : 0;
+    return sends ? most_photon_bytes(static_cast<std::size_t>(scene.channels())) : 0;
 }
 
 // Returns the bytes of all paths of light from lamps on.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 
 #include "simd/dispatch.hpp"
 #include "simd/mixed_bits.hpp"
@@ -32,7 +33,8 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
     std::memcpy(&out, &fractions, sizeof fractions);
 }
 
-[[gnu::always_inline]] inline void reverse(LaneBits& x) {
+template <class Bits>
+[[gnu::always_inline]] inline void reverse(Bits& x) {
     x = (x >> 1 & 0x55555555U) | (x & 0x55555555U) << 1;
     x = (x >> 2 & 0x33333333U) | (x & 0x33333333U) << 2;
     x = (x >> 4 & 0x0F0F0F0FU) | (x & 0x0F0F0F0FU) << 4;
@@ -43,7 +45,8 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 // Applies Owen's scrambling to a binary fraction whose first bit is the lowest, by Laine and Karras' hash
 // (2011). The seed and the preceding bits determine whether a bit is flipped. The result's first bit is the
 // highest.
-[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& x) {
+template <class Bits>
+[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const Bits& seeds, Bits& x) {
     x = fraction + seeds;
     x ^= x * 0x6C50B47CU;
     x ^= x * 0xB82F1E52U;
@@ -71,6 +74,19 @@ void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, La
     std::array<std::uint32_t, kLanes> all;
     for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
     dispatch<scramble_all>(index, sobol(index), all, u, v);
+}
+
+std::uint32_t shuffled(std::uint32_t index) {
+    constexpr std::uint32_t seed = 0x68BC21EBU;
+    std::uint32_t out = 0;
+    reverse(index);
+    scramble(index, seed, out);
+    return out;
+}
+
+glm::vec2 even_point(std::size_t index) {
+    const glm::dvec2 point = glm::fract(0.5 + static_cast<double>(index) * kEvenSteps);
+    return glm::min(glm::vec2(point), 1 - 0x1p-24F);
 }
 
 std::uint32_t light_sample_count(float angular_radius, std::uint32_t most) {

@@ -36,15 +36,15 @@ struct LitPoints {
     std::span<const glm::vec3> tangents;
     /// Unit geometric normals. Light from below them is hidden by the surface itself, even if a perturbed
     /// normal faces the light. Empty: no texture perturbs normals.
-    std::span<const glm::vec3> facets;
+    std::span<const glm::vec3> facets = {};
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
-    std::span<const glm::vec3> unperturbed;
+    std::span<const glm::vec3> unperturbed = {};
     /// Start points of shadow rays, see LocalLighting::needs_origins(). Empty: no rays begin.
     std::span<const glm::vec3> origins;
     /// Mirrored surroundings of the points' pixels, see needs_pixels(). Null: points cover nothing.
     const MirroredPixels* mirrored = nullptr;
     /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
-    std::span<const MirroredParts> parts;
+    std::span<const MirroredParts> parts = {};
     /// Start points of shadow rays in the points' pixels. Null: points cover nothing.
     PixelOrigins* places = nullptr;
     /// Light that other surfaces reflect to the points, for sampled terms. Null: none.

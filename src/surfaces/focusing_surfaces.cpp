@@ -16,6 +16,7 @@
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/photon_rays.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -69,12 +70,8 @@ std::vector<FocusingSurface> focusing_surfaces(const WorldGeometry& geometry) {
         surface.areas.reserve(batch.last - batch.first);
         double area = 0;
         for (std::size_t t = batch.first; t < batch.last; ++t) {
-            const glm::uvec3& corners = geometry.triangles[t];
-            const glm::dvec3 first(geometry.positions[corners.x]);
-            area += glm::length(glm::cross(glm::dvec3(geometry.positions[corners.y]) - first,
-                                           glm::dvec3(geometry.positions[corners.z]) - first)) /
-                    2;
             surface.triangles.push_back(static_cast<std::uint32_t>(t));
+            area += glm::length(area_vector(geometry, surface.triangles.back()));
             surface.areas.push_back(area);
         }
         if (area > 0) out.push_back(std::move(surface));

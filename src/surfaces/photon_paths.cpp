@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "shading/weighted_terms.hpp"
 #include "surfaces/focusing_surfaces.hpp"
 #include "surfaces/photon_rays.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -39,13 +39,9 @@ constexpr double kNegligiblePower = 1e-4;
 constexpr double kPilotsShare = 0.1;
 
 /// Point of a surface that a path meets.
-struct Meeting {
+struct Meeting : TrianglePoint {
     std::size_t range;
     std::uint32_t triangle;
-    glm::dvec3 position;
-    glm::dvec3 facet;   // unit normal of the triangle, towards its front
-    glm::dvec3 normal;  // unit shading normal
-    double offset;      // from the surface to the start of rays that leave it
 };
 
 /// Light on its way.
@@ -168,23 +164,8 @@ private:
 
     [[nodiscard]] Meeting meeting_at(std::uint32_t triangle, double b1, double b2) const {
         const WorldGeometry& geometry = scene_.geometry;
-        const glm::uvec3& corners = geometry.triangles[triangle];
-        const std::array positions{geometry.positions[corners.x], geometry.positions[corners.y],
-                                   geometry.positions[corners.z]};
-        const glm::dvec3 a(positions[0]), b(positions[1]), c(positions[2]);
-        const glm::dvec3 across = glm::cross(b - a, c - a);
-        const double area = glm::length(across);
-        const glm::dvec3 facet = area > 0 ? across / area : glm::dvec3(0, 0, 1);
-        const glm::dvec3 normal = (1 - b1 - b2) * glm::dvec3(geometry.normals[corners.x]) +
-                                  b1 * glm::dvec3(geometry.normals[corners.y]) +
-                                  b2 * glm::dvec3(geometry.normals[corners.z]);
-        const double length = glm::length(normal);
-        return {.range = range_of(geometry, corners.x),
-                .triangle = triangle,
-                .position = (1 - b1 - b2) * a + b1 * b + b2 * c,
-                .facet = facet,
-                .normal = length > 0 ? normal / length : facet,
-                .offset = ray_offset(positions)};
+        return {triangle_point(geometry, triangle, b1, b2),
+                range_of(geometry, geometry.triangles[triangle].x), triangle};
     }
 
     // Calls visit(meeting, path) for light that reaches the smooth surface from the source. All paths of a
@@ -200,17 +181,15 @@ private:
             LaneVectors positions;
             Lanes u, v;
             for (std::size_t i = 0; i < kLanes; ++i) {
-                // Golden ratios of the plane (Roberts, 2018) have nothing in common with the sequences of
-                // places, so that each place meets all parts of the source.
-                const glm::dvec2 of_source =
-                    glm::fract(0.5 + static_cast<double>(begin + i) *
-                                         glm::dvec2(0.7548776662466927, 0.5698402909980532));
+                // This sequence has nothing in common with those of places, so that each place meets all
+                // parts of the source.
+                const glm::vec2 of_source = even_point(begin + i);
                 const FocusingSurface::Place place = smooth.place(begin + i, stretch.count);
                 meetings[i] = meeting_at(place.triangle, place.b1, place.b2);
                 choices[i] = place.choice;
                 put(positions, i, glm::vec3(meetings[i].position));
-                u[i] = std::min(static_cast<float>(of_source.x), 1 - 0x1p-24F);
-                v[i] = std::min(static_cast<float>(of_source.y), 1 - 0x1p-24F);
+                u[i] = of_source.x;
+                v[i] = of_source.y;
             }
             stretch.pair->source.sample(positions, u, v, light);
             for (std::size_t i = 0; i < kLanes; ++i) {

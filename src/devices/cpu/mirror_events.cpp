@@ -18,6 +18,7 @@
 #include "shading/tangent_rotation.hpp"
 #include "shading/weighted_terms.hpp"
 #include "surfaces/tangents.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -45,9 +46,7 @@ SmoothChains::Appearance SmoothChains::appearance_at(const Place& place,
     glm::vec3 tangent(0);
     if (range.material->anisotropic()) tangent = nicol::tangent(geometry, triangle, place.weights);
     if (const SpatialVariation* const variation = range.material->variation()) {
-        const TexturePoint at =
-            texture_point(place.weights, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
-                          geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
+        const TexturePoint at = texture_point(geometry, triangle, place.weights);
         const NormalVariation& turned = variation->normal;
         if (turned.kind != NormalVariation::Kind::none || variation->rotation.any()) {
             const bool back = is_back(geometry, range);

@@ -18,6 +18,7 @@
 #include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/smooth_surfaces.hpp"
+#include "surfaces/triangle_point.hpp"
 
 namespace nicol {
 namespace {
@@ -158,25 +159,13 @@ SmoothChains::Chain SmoothChains::first_chain(std::size_t pixel, std::size_t sam
 }
 
 SmoothChains::Place SmoothChains::place_at(const RayHit& hit, const Ray& ray, Ends& ends) const {
-    const WorldGeometry& geometry = input_.geometry;
-    const Corners& corners = geometry.triangles[hit.triangle];
-    const std::array positions{geometry.positions[corners.x], geometry.positions[corners.y],
-                               geometry.positions[corners.z]};
-    const glm::dvec3 a(positions[0]), b(positions[1]), c(positions[2]);
-    const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
-    const glm::dvec3 across = glm::cross(b - a, c - a);
-    const double area = glm::length(across);
-    const glm::dvec3 normal = weights.x * glm::dvec3(geometry.normals[corners.x]) +
-                              weights.y * glm::dvec3(geometry.normals[corners.y]) +
-                              weights.z * glm::dvec3(geometry.normals[corners.z]);
-    const double length = glm::length(normal);
-    const glm::dvec3 facet = area > 0 ? across / area : -ray.direction;
+    const TrianglePoint at = triangle_point(input_.geometry, hit.triangle, hit.b1, hit.b2, -ray.direction);
     return {.point = surface_point(input_, hit.triangle, 0, ends.range),
-            .weights = glm::vec3(weights),
-            .position = glm::dmat3(a, b, c) * weights,
-            .facet = facet,
-            .normal = length > 0 ? normal / length : facet,
-            .offset = ray_offset(positions),
+            .weights = glm::vec3(1 - hit.b1 - hit.b2, hit.b1, hit.b2),
+            .position = at.position,
+            .facet = at.facet,
+            .normal = at.normal,
+            .offset = at.offset,
             .distance = hit.distance};
 }
 

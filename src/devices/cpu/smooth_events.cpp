@@ -22,9 +22,6 @@
 namespace nicol {
 namespace {
 
-// Golden ratios of the plane: 1 / g and 1 / g^2 for g^3 = g + 1.
-constexpr glm::dvec2 kEvenSteps(0.7548776662466927, 0.5698402909980532);
-
 // Returns the variance, along an axis, of directions that facets of a rough boundary send light in.
 double facet_variance(const SmoothBoundary& boundary, double eta, bool reflects) {
     // The slopes of facets have about this variance.
@@ -198,7 +195,6 @@ void SmoothChains::scatter(const Chain& chain, const Place& place, std::vector<C
                             (input_.projection.sample_size * input_.projection.sample_size);
     const glm::dvec2 first(fraction(chain.seed), fraction(sample_seed(chain.seed, 1)));
     for (int i = 0; i < samples; ++i) {
-        // Multiples of these numbers fill a square evenly (Roberts, 2018).
         const glm::dvec2 point = glm::fract(first + static_cast<double>(i) * kEvenSteps);
         const BoundarySplit split =
             split_at_facet(boundary, place.facet, place.normal, chain.received, point);
