@@ -3,7 +3,6 @@
 #pragma once
 
 #include <complex>
-#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -11,9 +10,6 @@
 #include "polarization/stokes.hpp"
 
 namespace nicol::test {
-
-inline constexpr std::initializer_list<LightKind> kLightKinds = {LightKind::unpolarized, LightKind::linear,
-                                                                 LightKind::full};
 
 /// Returns the numbers of one channel's coefficients in the layout's order. `channel` is [psh_index(l,
 /// m)][4].
