@@ -2,10 +2,13 @@
 #include "shading/lobe_sample.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <vector>
 
 #include "material/microfacet.hpp"
+#include "polarization/stokes.hpp"
 #include "shading/weighted_terms.hpp"
 
 namespace nicol {
@@ -30,29 +33,56 @@ struct ChosenDirection {
     double density;
 };
 
-// Chooses a direction by a facet that is visible from another one.
+// Part of the choices that are taken from a cone.
+constexpr double kAimed = 0.5;
+
+// Returns the direction of a cone that a point of [0, 1)^2 chooses.
+glm::dvec3 in_cone(const AimedCone& cone, const glm::dvec2& point) {
+    const double cosine = 1 - point.x * (1 - cone.cosine);
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const double phi = 2 * std::numbers::pi * point.y;
+    const Frame frame = theta_phi_frame(cone.axis);
+    return sine * (std::cos(phi) * frame[0] + std::sin(phi) * frame[1]) + cosine * cone.axis;
+}
+
+// Returns the density per steradian of in_cone().
+double cone_density(const AimedCone& cone, const glm::dvec3& direction) {
+    if (glm::dot(cone.axis, direction) < cone.cosine) return 0;
+    return 1 / (2 * std::numbers::pi * (1 - cone.cosine));
+}
+
+// Chooses a direction by a facet that is visible from another one, or in a cone.
 ChosenDirection choose(std::span<const FollowedLayer> layers, std::span<const glm::vec3> weights,
-                       const glm::dvec3& from, const LobeChoice& choice) {
+                       const glm::dvec3& from, const LobeChoice& choice,
+                       const std::optional<AimedCone>& aim = std::nullopt) {
     constexpr ChosenDirection nothing{.direction = glm::dvec3(0.0), .density = 0};
+    const double aimed = aim ? kAimed : 0;
     double all = 0;
     for_parts(layers, weights, [&](const Lobe&, double reflectance) { all += reflectance; });
-    double below = choice.lobe * all;
-    const Lobe* chosen = nullptr;
-    for_parts(layers, weights, [&](const Lobe& lobe, double reflectance) {
-        if (below >= 0 && reflectance > 0) chosen = &lobe;
-        below -= reflectance;
-    });
-    if (chosen == nullptr) return nothing;
-
-    // GGX facets stand for those of other distributions.
-    const glm::dvec3 facet = visible_facet(chosen->alpha, from, choice.facet);
-    const glm::dvec3 direction = 2 * glm::dot(from, facet) * facet - from;
+    if (!(all > 0)) return nothing;
+    glm::dvec3 direction(0.0), facet(0.0);
+    if (choice.lobe < aimed) {
+        direction = in_cone(*aim, choice.facet);
+        facet = glm::normalize(from + direction);
+    } else {
+        double below = (choice.lobe - aimed) / (1 - aimed) * all;
+        const Lobe* chosen = nullptr;
+        for_parts(layers, weights, [&](const Lobe& lobe, double reflectance) {
+            if (below >= 0 && reflectance > 0) chosen = &lobe;
+            below -= reflectance;
+        });
+        if (chosen == nullptr) return nothing;
+        // GGX facets stand for those of other distributions.
+        facet = visible_facet(chosen->alpha, from, choice.facet);
+        direction = 2 * glm::dot(from, facet) * facet - from;
+    }
     if (!(direction.z > 0)) return nothing;
     double density = 0;
     for_parts(layers, weights, [&](const Lobe& lobe, double reflectance) {
         density += reflectance / all * facet_density(Distribution::ggx, lobe.alpha, facet) *
                    facet_visibility(Distribution::ggx, lobe.alpha, from) / (4 * from.z);
     });
+    if (aim) density = (1 - aimed) * density + aimed * cone_density(*aim, direction);
     if (!(density > 0)) return nothing;
     return {.direction = direction, .density = density};
 }
@@ -83,10 +113,10 @@ glm::dvec3 sample_lobes(std::span<const FollowedLayer> layers, std::span<const g
 
 glm::dvec3 scatter_by_lobes(std::span<const FollowedLayer> layers, std::span<const glm::vec3> weights,
                             const glm::dvec3& towards_light, const LobeChoice& choice,
-                            std::span<Mueller> out) {
+                            const std::optional<AimedCone>& aim, std::span<Mueller> out) {
     std::ranges::fill(out, Mueller());
     // Facets that are visible to the light, because by reciprocity both directions may be exchanged.
-    const auto [towards_viewer, density] = choose(layers, weights, towards_light, choice);
+    const auto [towards_viewer, density] = choose(layers, weights, towards_light, choice, aim);
     if (density > 0)
         add_layers(layers, weights, towards_light, towards_viewer, towards_viewer.z / density, out);
     return towards_viewer;

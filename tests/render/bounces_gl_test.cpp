@@ -217,6 +217,36 @@ IMAGE_TEST_CASE("narrow lobes send the light of lamps on as by rays") {
     }
 }
 
+IMAGE_TEST_CASE("a large floor with narrow lobes lights what stands on it, evenly for any directions") {
+    // The light grazes the floor, so that far places send it as well as near ones.
+    test::Studio render(context, 32, 24);
+    const auto floor = test::with_texcoords(make_rectangle(1));
+    const MaterialPtr brushed = rough_conductor({.eta = {{1.3, -4.0}}, .alpha = 0.1, .alpha_v = 0.3});
+    Scene scene;
+    scene.add({.mesh = test::rectangle(4),
+               .material = diffuse({0.8}),
+               .to_world = test::at(0, 0, 0, 1) * glm::scale(glm::dmat4(1), {0.6, 0.6, 1})});
+    scene.add({.mesh = floor, .material = brushed, .to_world = test::plate_at(-1, 80)});
+    scene.add_light({.kind = LocalLight::Kind::directional,
+                     .value = {2.0},
+                     .to_world = glm::inverse(glm::lookAt(glm::dvec3(0.5, 0.6, 2.9), glm::dvec3(1, 1.2, 5.8),
+                                                          glm::dvec3(0, 1, 0)))});
+    const Camera camera = test::camera_at({0, 0.1, 3}, {0, 0, 0});
+    const auto bounced = [&](RenderOptions options) {
+        options.max_depth = 3;
+        const double all = mean_s0(render(scene, options, camera));
+        options.max_depth = 2;
+        return all - mean_s0(render(scene, options, camera));
+    };
+    const double truth = bounced({.method = Method::reference, .samples = 1024});
+    for (const int directions : {512, 1024, 2048, 4096}) {
+        CAPTURE(directions);
+        RenderOptions options = bouncing(3, 8);
+        options.bake_directions = directions;
+        CHECK(bounced(options) / truth == doctest::Approx(1).epsilon(0.1));
+    }
+}
+
 IMAGE_TEST_CASE("narrow lobes send the light of a lamp that has moved on, by any number of threads") {
     Scene scene;
     scene.add({.mesh = test::rectangle(4),

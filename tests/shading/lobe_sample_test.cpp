@@ -7,6 +7,7 @@
 #include <complex>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "material/conductor.hpp"
@@ -117,9 +118,12 @@ TEST_CASE("the mean over directions that lobes send light in is what they reflec
         double alpha, alpha_v;
         Distribution distribution;
         glm::dvec3 towards_light;
-    } rows[] = {{0.1, 0, Distribution::ggx, {0.3, -0.2, 1}},
-                {0.2, 0, Distribution::beckmann, {-0.9, 0.4, 0.6}},
-                {0.08, 0.24, Distribution::beckmann, {0.6, 1.1, 0.7}}};
+        std::optional<AimedCone> aim;
+    } rows[] = {{0.1, 0, Distribution::ggx, {0.3, -0.2, 1}, {}},
+                {0.2, 0, Distribution::beckmann, {-0.9, 0.4, 0.6}, {}},
+                {0.08, 0.24, Distribution::beckmann, {0.6, 1.1, 0.7}, {}},
+                {0.08, 0.24, Distribution::beckmann, {0.6, 1.1, 0.7}, AimedCone{{-0.6, 0, 0.8}, 0.9}},
+                {0.2, 0, Distribution::ggx, {-0.9, 0.4, 0.6}, AimedCone{{1, 0, 0}, 0.8}}};
     for (const auto& row : rows) {
         CAPTURE(row.alpha);
         const MaterialPtr metal = rough_conductor(
@@ -130,12 +134,13 @@ TEST_CASE("the mean over directions that lobes send light in is what they reflec
         const std::array weights{glm::vec3(1)};
         std::array<Mueller, 1> sent;
         double sum = 0;
-        for (int i = 0; i < size; ++i)
-            for (int j = 0; j < size; ++j) {
-                const LobeChoice choice{.lobe = 0, .facet = {(i + 0.5) / size, (j + 0.5) / size}};
-                static_cast<void>(scatter_by_lobes(layers, weights, from, choice, sent));
-                sum += (sent[0] * light).x;
-            }
+        for (const double lobe : {0.25, 0.75})  // the first in the cone, if there is one
+            for (int i = 0; i < size; ++i)
+                for (int j = 0; j < size; ++j) {
+                    const LobeChoice choice{.lobe = lobe, .facet = {(i + 0.5) / size, (j + 0.5) / size}};
+                    static_cast<void>(scatter_by_lobes(layers, weights, from, choice, row.aim, sent));
+                    sum += (sent[0] * light).x / 2;
+                }
         double expected = 0;
         for (int i = 0; i < size; ++i)
             for (int j = 0; j < 2 * size; ++j) {
