@@ -10,15 +10,15 @@ namespace nicol {
 namespace {
 
 std::size_t offset(const PshVector& v, int c) {
-    require(c >= 0 && c < v.channels(),
-            "channel is " + std::to_string(c) + ", the vector has " + std::to_string(v.channels()));
+    if (c < 0 || c >= v.channels())
+        refuse("channel is " + std::to_string(c) + ", the vector has " + std::to_string(v.channels()));
     return static_cast<std::size_t>(c) * 4 * psh_count(v.order());
 }
 
 std::size_t offset(const PshVector& v, int c, int l, int m, int p) {
-    require(l >= 0 && l <= v.order() && m >= -l && m <= l && p >= 0 && p <= 3,
-            "coefficient (l, m, p) = (" + std::to_string(l) + ", " + std::to_string(m) + ", " +
-                std::to_string(p) + ") is outside order " + std::to_string(v.order()));
+    if (l < 0 || l > v.order() || m < -l || m > l || p < 0 || p > 3)
+        refuse("coefficient (l, m, p) = (" + std::to_string(l) + ", " + std::to_string(m) + ", " +
+               std::to_string(p) + ") is outside order " + std::to_string(v.order()));
     return offset(v, c) + 4 * psh_index(l, m) + static_cast<std::size_t>(p);
 }
 

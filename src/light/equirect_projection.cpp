@@ -13,6 +13,7 @@
 #include <complex>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "harmonics/batch_fft.hpp"
@@ -250,9 +251,10 @@ IntervalRule interval_rule(int order, int intervals) {
 /// Sum of the coefficients of ranges of intervals between rows.
 class MeridianSum {
 public:
-    MeridianSum(const FourierRows& rows, const IntervalRule& rule)
-        : rows_(rows), rule_(rule), sum_(4 * psh_count(rows.order), 0.0) {}
-    MeridianSum(const MeridianSum& other, tbb::split) : MeridianSum(other.rows_, other.rule_) {}
+    /// spin: whether any row has s1 or s2.
+    MeridianSum(const FourierRows& rows, bool spin, const IntervalRule& rule)
+        : rows_(rows), spin_(spin), rule_(rule), sum_(4 * psh_count(rows.order), 0.0) {}
+    MeridianSum(const MeridianSum& other, tbb::split) : MeridianSum(other.rows_, other.spin_, other.rule_) {}
 
     /// Adds the intervals first..last, counted from each end of the meridian. The harmonics are mirrored
     /// between north and south, which the Legendre step uses if it gets both.
@@ -318,10 +320,11 @@ private:
         };
         blend(rows_.s0, fine.s0, rows_.order + 1);
         blend(rows_.s3, fine.s3, rows_.order + 1);
-        blend(rows_.spin, fine.spin, 2 * rows_.order + 1);
+        if (spin_) blend(rows_.spin, fine.spin, 2 * rows_.order + 1);
     }
 
     const FourierRows& rows_;
+    const bool spin_;
     const IntervalRule& rule_;
     std::vector<double> sum_;
 };
@@ -339,13 +342,23 @@ PshVector project_equirect(const EquirectView& view, int order) {
     PshVector result(order, view.channels);
     for (int first = 0; first < view.channels; first += together) {
         const int count = std::min(together, view.channels - first);
-        const std::vector<FourierRows> rows = analyze_rows(view, first, count, order);
-        for (int c = 0; c < count; ++c) {
-            MeridianSum sum(rows[static_cast<std::size_t>(c)], rule);
+        std::vector<FourierRows> rows = analyze_rows(view, first, count, order);
+        // Two channels of unpolarized light are summed as s0 and s3 of one channel, because s3 is a scalar
+        // too.
+        const int step = view.components == 1 ? 2 : 1;
+        for (int c = 0; c < count; c += step) {
+            const bool paired = step == 2 && c + 1 < count;
+            FourierRows& here = rows[static_cast<std::size_t>(c)];
+            if (paired) here.s3 = std::move(rows[static_cast<std::size_t>(c + 1)].s0);
+            MeridianSum sum(here, view.components == 4, rule);
             // The reduction is deterministic, so that an image gives equal bits for any number of threads.
             tbb::parallel_deterministic_reduce(
                 tbb::blocked_range<int>(0, view.height / 2, static_cast<std::size_t>(grain)), sum);
-            std::ranges::copy(sum.result(), result.channel(first + c).begin());
+            const std::span<double> out = result.channel(first + c);
+            std::ranges::copy(sum.result(), out.begin());
+            if (!paired) continue;
+            const std::span<double> other = result.channel(first + c + 1);
+            for (std::size_t i = 0; i < out.size(); i += 4) other[i] = std::exchange(out[i + 3], 0.0);
         }
     }
     return rotated(result, equirect_axes());

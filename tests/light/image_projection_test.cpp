@@ -52,6 +52,21 @@ TEST_CASE("the coefficients are those of the bilinear function that radiance() r
     }
 }
 
+TEST_CASE("a channel of an image has the bits that it has alone") {
+    for (const bool polarized : {true, false}) {
+        const EquirectImage image = random_image(48, 25, 3, 4, polarized);
+        const PshVector together = image_environment(image)->project(12);
+        for (int c = 0; c < 3; ++c) {
+            CAPTURE(c);
+            EquirectImage one(48, 25, 1);
+            const std::size_t size = one.data.size();
+            std::copy_n(image.data.begin() + static_cast<std::ptrdiff_t>(size) * c, size, one.data.begin());
+            const PshVector alone = image_environment(one)->project(12);
+            CHECK(std::ranges::equal(together.channel(c), alone.channel(0)));
+        }
+    }
+}
+
 TEST_CASE("a constant image has the coefficients of constant light, at any resolution and order") {
     for (const auto& [width, height] : {std::pair{2, 2}, {5, 3}, {64, 33}, {101, 40}, {256, 128}}) {
         EquirectImage image(width, height, 1);
