@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 
 #include "simd/dispatch.hpp"
 #include "visibility/bundle_bits.hpp"
@@ -15,11 +17,12 @@ namespace {
 
 [[gnu::always_inline]] inline void add_hidden(std::size_t bundles, const RayBundle* bundle,
                                               const Lanes* weights, const std::uint64_t* words,
-                                              const glm::vec3& normal, glm::vec4& sum) {
+                                              const std::uint8_t* above, const glm::vec3& normal,
+                                              glm::vec4& sum) {
     std::array<Lanes, 4> sums{};
     for (std::size_t b = 0; b < bundles; ++b) {
         const std::uint32_t seen = bundle_bits(words, b);
-        if (seen == 0xFFFF) continue;  // would add zeros
+        if (above[b] == 0 || seen == 0xFFFF) continue;  // would add zeros
         for (std::size_t i = 0; i < kLanes; ++i) {
             const float x = bundle[b].x[i];
             const float y = bundle[b].y[i];
@@ -42,7 +45,7 @@ namespace {
 static_assert(RayBundle::kRays == kLanes);
 
 HiddenLight::HiddenLight(const DirectionSet& directions)
-    : directions_(directions), weights_(directions.bundles().size()) {
+    : directions_(directions), cones_(directions), weights_(directions.bundles().size()) {
     for (std::size_t i = 0; i < directions.size(); ++i)
         weights_[i / kLanes][i % kLanes] = directions.weights()[i] / std::numbers::pi_v<float>;
 }
@@ -51,8 +54,10 @@ glm::vec4 HiddenLight::at(const Visibility& visibility, std::size_t vertex,
                           const glm::vec3& unit_normal) const {
     glm::vec4 sum(0);
     if (visibility.unoccluded(vertex)) return sum;
+    std::array<std::uint8_t, DirectionSet::kMost / RayBundle::kRays> above;  // set by find_above()
+    cones_.find_above(unit_normal, std::span(above).first(weights_.size()));
     dispatch<add_hidden>(weights_.size(), directions_.bundles().data(), weights_.data(),
-                         visibility.at(vertex).data(), unit_normal, sum);
+                         visibility.at(vertex).data(), above.data(), unit_normal, sum);
     return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simd/lanes.hpp"
+#include "visibility/ray_cones.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -28,6 +29,7 @@ public:
 
 private:
     const DirectionSet& directions_;
+    RayCones cones_;
     std::vector<Lanes> weights_;  // weights of the directions over pi, in bundles; 0 past the last direction
 };
 

@@ -27,7 +27,7 @@ struct Cones {
 };
 
 // Sets near[b] to 1 if the angle between axis b and the unit vector `to` is at most the sum of two angles, or
-// else to 0: half the bundle's opening angle, and an angle below a right angle.
+// else to 0: half the bundle's opening angle, and an angle up to a right angle.
 [[gnu::always_inline]] inline void find_near(std::size_t count, const Cones& cones, const glm::vec3& to,
                                              float cosine, float sine, std::uint8_t* near) {
     for (std::size_t b = 0; b < count; ++b) {
@@ -72,6 +72,11 @@ void RayCones::add(const glm::vec3& axis, float sine, std::span<std::uint16_t> b
             dispatch<rays_above>(directions_.bundles()[b], axis, cosine - kCosineSlack);
         bits[b] = static_cast<std::uint16_t>(bits[b] | rays);
     }
+}
+
+void RayCones::find_above(const glm::vec3& normal, std::span<std::uint8_t> some) const {
+    const Cones cones{x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data()};
+    dispatch<find_near>(some.size(), cones, normal, 0.0F, 1.0F, some.data());
 }
 
 void RayCones::add_beside(std::size_t i, std::span<std::uint16_t> bits) const {
