@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "harmonics/energy.hpp"
 #include "material/shared_terms.hpp"
@@ -94,8 +95,10 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
         mean_square_ = values_ = 0;
         if (projected.light) measure(scene, projected, surfaces, projection);
     });
-    limiting_.run(scene.geometry_version(), scene.distant_light(), options.shadows,
-                  options.high_order_shadows, options.bake_directions, options.high_orders, memory_limit,
+    std::optional<LightKind> distant;
+    if (scene.distant_light() != nullptr) distant = light_kind(scene.distant_light().get());
+    limiting_.run(scene.geometry_version(), distant, options.shadows, options.high_order_shadows,
+                  options.bake_directions, options.high_orders, memory_limit,
                   [&] { highest_low_ = highest_low(scene, options, memory_limit); });
     const bool split = options.high_orders == HighOrders::split;
     const double tolerance = options.tolerance * options.order_slack;
@@ -201,7 +204,7 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     constexpr std::size_t size = kOrder + 1;
     std::erase_if(responses_, [&](const auto& known) { return !shadowed_.contains(known.first); });
     for (const auto& [material, shadowed] : shadowed_) {
-        const auto& [weight, fraction, couplings] = shadowed;
+        const auto& [weight, fraction, couplings, sample] = shadowed;
         Response& response = response_of(material, projected, scene.channels());
         const auto& [whole, in_orders, power, missed] = response;
         Share& share = shares_.emplace_back(Share{.response = &response, .all = {}, .seen = {}, .left = {}});
@@ -228,13 +231,20 @@ void OrderSelector::measure_shadows(const SurfaceState& surfaces) {
     const WorldGeometry& geometry = surfaces.geometry;
     constexpr std::size_t size = kOrder + 1;
     std::optional<VisibilityHarmonics> harmonics;
-    if (surfaces.visibility != nullptr) harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
     const VertexWeights vertices(geometry, surfaces.baked);
-    shadowed_.clear();
+    const std::map<MaterialPtr, Shadowed> former = std::exchange(shadowed_, {});
+    const bool same_surfaces = std::exchange(shadowed_versions_, {}) == surfaces.versions;
     for (const auto& [material, group] : vertices.groups()) {
         Shadowed& shadowed = shadowed_[material];
+        // Another material on the same vertices has the same shadows.
+        const auto known = std::ranges::find_if(
+            former, [&](const auto& other) { return same_surfaces && other.second.sample == group.sample; });
+        if (known != former.end()) shadowed = known->second;
         shadowed.weight = group.weight;
-        if (harmonics) {
+        if (known != former.end()) continue;
+        shadowed.sample = group.sample;
+        if (surfaces.visibility != nullptr) {
+            if (!harmonics) harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
             const VisibilityPower visible(*harmonics, *surfaces.visibility, geometry.normals, group.sample);
             shadowed.fraction = visible.fraction();
             for (std::size_t k = 0; k < couplings_.size(); ++k)
@@ -246,6 +256,7 @@ void OrderSelector::measure_shadows(const SurfaceState& surfaces) {
             }
         }
     }
+    shadowed_versions_ = surfaces.versions;
 }
 
 void OrderSelector::forget_terms() {
@@ -313,7 +324,9 @@ const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const S
     SharedFit& shared = fits_.try_emplace({low, high}, low, high).first->second;
     const std::string key = terms_key(material);
     KnownMoments own;
-    const SplitFit fit(material, shared.basis, power.channels(), key.empty() ? own : shared.known[key]);
+    const std::size_t columns = kind_ == LightKind::unpolarized ? 1 : 4;
+    const SplitFit fit(material, shared.basis, power.channels(), key.empty() ? own : shared.known[key],
+                       columns);
     std::array<double, kOutputs> total{};
     for (int c = 0; c < power.channels(); ++c) {
         for (std::size_t output = 0; output < kOutputs; ++output)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -112,7 +113,7 @@ private:
     struct SharedFit {
         SharedFit(int low, int high) : basis(low, high) {}
         SplitBasis basis;
-        std::map<std::string, KnownMoments> known;  // by terms_key()
+        std::map<std::string, KnownMoments> known;  // by terms_key(), for the kind of light
     };
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
@@ -123,9 +124,11 @@ private:
         double weight = 0;
         double fraction = 1;
         std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
+        std::vector<std::uint32_t> sample;             // vertices that these were measured at
     };
     Stage<Version, SurfaceVersions> shadowing_;  // versions of materials and surfaces
     std::map<MaterialPtr, Shadowed> shadowed_;
+    SurfaceVersions shadowed_versions_;  // surfaces of shadowed_
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
@@ -139,8 +142,8 @@ private:
     std::vector<Share> shares_;
     double mean_square_ = 0;  // mean square of s0, times `values_`
     double values_ = 0;       // weights of vertices times channels
-    // Inputs: geometry, light, the options that affect memory, the memory limit.
-    Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
+    // Inputs: geometry, kind of light, the options that affect memory, the memory limit.
+    Stage<Version, std::optional<LightKind>, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;
     Stage<double, bool, bool, int> choosing_;  // tolerance, split, local lights, highest_low_
     Orders chosen_;

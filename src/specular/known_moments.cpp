@@ -7,7 +7,8 @@ namespace nicol {
 
 std::vector<std::vector<TapRows>> KnownMoments::at(const Material& material, double theta_out,
                                                    std::span<const Tap> taps,
-                                                   std::span<const ZonalKernel> kernels) {
+                                                   std::span<const ZonalKernel> kernels,
+                                                   std::size_t columns) {
     const auto place = [=](const Tap& tap) {
         return Place{theta_out, tap.lobe, tap.frame[2].x, tap.frame[2].y};
     };
@@ -27,7 +28,7 @@ std::vector<std::vector<TapRows>> KnownMoments::at(const Material& material, dou
         }
     }
     if (missing.empty()) return out;
-    std::vector<std::vector<TapRows>> moments = tap_moments(material, theta_out, missing, kernels);
+    std::vector<std::vector<TapRows>> moments = tap_moments(material, theta_out, missing, kernels, columns);
     const std::scoped_lock lock(mutex_);
     for (std::size_t k = 0; k < missing.size(); ++k) {
         known_.try_emplace(place(missing[k]), moments[k]);

@@ -152,10 +152,12 @@ const std::vector<double>& SplitBasis::factor(const SplitStencil& stencil, doubl
     return factors_.try_emplace(place, std::move(normal)).first->second;
 }
 
-SplitFit::SplitFit(const Material& material, const SplitBasis& basis, int channels, KnownMoments& known)
+SplitFit::SplitFit(const Material& material, const SplitBasis& basis, int channels, KnownMoments& known,
+                   std::size_t columns)
     : material_(material.isotropic()),
       basis_(basis),
       channels_(channels),
+      columns_(columns),
       known_(known),
       half_(material_.matrix(0) == nullptr && material_.mirror_symmetric()) {}
 
@@ -211,7 +213,7 @@ std::vector<SplitFactors> SplitFit::solved(
 }
 
 SplitFit::Moments SplitFit::integrated(double theta_out, std::span<const Tap> taps) const {
-    const Moments of_terms = known_.at(material_, theta_out, taps, basis_.kernels());
+    const Moments of_terms = known_.at(material_, theta_out, taps, basis_.kernels(), columns_);
     Moments out(taps.size(), std::vector<TapRows>(static_cast<std::size_t>(channels_)));
     for (std::size_t i = 0; i < taps.size(); ++i)
         for (std::size_t c = 0; c < out[i].size(); ++c)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <span>
@@ -81,8 +82,10 @@ private:
 class SplitFit {
 public:
     /// Keeps references, which must outlive the object. `known` holds moments of materials with the same
-    /// terms_key(), for the same basis.
-    SplitFit(const Material& material, const SplitBasis& basis, int channels, KnownMoments& known);
+    /// terms_key(), for the same basis and columns. columns: 4, or 1 for the factors of s0 alone, which are
+    /// all that unpolarized light needs; the others are then unspecified.
+    SplitFit(const Material& material, const SplitBasis& basis, int channels, KnownMoments& known,
+             std::size_t columns = 4);
 
     /// Returns the factors [stencil][channel] at theta_out in [0, pi/2). Stencils share most of the work.
     /// Calls may run side by side.
@@ -103,6 +106,7 @@ private:
     const Material& material_;
     const SplitBasis& basis_;
     int channels_;
+    std::size_t columns_;
     KnownMoments& known_;
     bool half_;  // whether integrated() covers half the circle of azimuths
 };

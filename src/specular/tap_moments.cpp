@@ -100,14 +100,19 @@ template <class Number>
     }
 }
 
-// Returns whether the matrices map s0 to s0 and nothing else.
-bool depolarizing(std::span<const LaneMueller> muellers) {
-    return std::ranges::all_of(muellers, [](const LaneMueller& mueller) {
+/// Elements of Mueller matrices that are not 0.
+enum class Elements { scalar, column, all };
+
+// Returns the elements of the matrices, of which the first `columns` are known.
+Elements elements_of(std::span<const LaneMueller> muellers, std::size_t columns) {
+    const bool depolarizing = std::ranges::all_of(muellers, [=](const LaneMueller& mueller) {
         float sum = 0;
         for (std::size_t e = 1; e < 16; ++e)
-            for (std::size_t i = 0; i < kLanes; ++i) sum += std::abs(mueller.m[e].value[i]);
+            for (std::size_t i = 0; i < kLanes && e % 4 < columns; ++i)
+                sum += std::abs(mueller.m[e].value[i]);
         return sum == 0;
     });
+    return depolarizing ? Elements::scalar : columns == 1 ? Elements::column : Elements::all;
 }
 
 // Adds sixteen directions to the sums [p][q] of one tap and term, lane by lane.
@@ -130,16 +135,18 @@ bool depolarizing(std::span<const LaneMueller> muellers) {
 
 template <class Number>
 [[gnu::always_inline]] inline void add_directions(std::span<const LaneTap> taps, const Incident& incident,
-                                                  std::span<const LaneMueller> muellers, bool depolarizing,
+                                                  std::span<const LaneMueller> muellers, Elements elements,
                                                   Lanes* sums) {
     for (const LaneTap& tap : taps) {
         LaneKernel kernel;
-        if (depolarizing) {
+        if (elements != Elements::all) {
             evaluate_scalar_kernel<Number>(tap, incident, kernel.scalar);
+            const std::size_t end = elements == Elements::scalar ? 1 : 16;
             for (const LaneMueller& mueller : muellers) {
+                for (std::size_t e = 0; e < end; e += 4)
 #pragma omp simd
-                for (std::size_t i = 0; i < kLanes; ++i)
-                    sums[0].value[i] += kernel.scalar.value[i] * mueller.m[0].value[i];
+                    for (std::size_t i = 0; i < kLanes; ++i)
+                        sums[e].value[i] += kernel.scalar.value[i] * mueller.m[e].value[i];
                 sums += 16;
             }
             continue;
@@ -211,8 +218,8 @@ std::vector<Incident> directions_about(double theta_out, double lobe, bool half)
 }  // namespace
 
 std::vector<std::vector<TapRows>> tap_moments(const Material& material, double theta_out,
-                                              std::span<const Tap> taps,
-                                              std::span<const ZonalKernel> kernels) {
+                                              std::span<const Tap> taps, std::span<const ZonalKernel> kernels,
+                                              std::size_t columns) {
     const auto terms = static_cast<std::size_t>(material.terms());
     const double lobe = std::min(0.25, narrowest_lobe(material));
     const std::vector<Incident> directions = directions_about(theta_out, lobe, material.mirror_symmetric());
@@ -224,10 +231,10 @@ std::vector<std::vector<TapRows>> tap_moments(const Material& material, double t
     std::vector<LaneMueller> muellers(terms);
     std::vector<Lanes> sums(16 * terms * taps.size());
     for (const Incident& incident : directions) {
-        material.evaluate_lanes(incident.light, viewer, 4, muellers);
+        material.evaluate_lanes(incident.light, viewer, columns, muellers);
         dispatch<add_directions<FourLanes>, add_directions<EightLanes>, add_directions<AllLanes>>(
-            std::span(lane_taps), incident, std::span<const LaneMueller>(muellers), depolarizing(muellers),
-            sums.data());
+            std::span(lane_taps), incident, std::span<const LaneMueller>(muellers),
+            elements_of(muellers, columns), sums.data());
     }
 
     std::vector<std::vector<TapRows>> out(taps.size(), std::vector<TapRows>(terms));

@@ -185,3 +185,21 @@ TEST_CASE("fits of materials that differ by weights alone share moments") {
     CHECK(counting.calls == calls);
     CHECK(std::ranges::equal(first.data(), second.data()));
 }
+
+TEST_CASE("a fit for unpolarized light has the factors of s0 of a fit for all light") {
+    const SplitBasis basis(4, 16);
+    const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.2});
+    const std::array stencils{SplitStencil{0, 1, 0.05}, SplitStencil{1, 2, 0.1}};
+    for (const MaterialPtr& material : {plastic, diffuse({0.5}), test::chiral(plastic)}) {
+        KnownMoments of_all, of_s0;
+        const auto all = SplitFit(*material, basis, 1, of_all).at(0.7, stencils);
+        const auto s0 = SplitFit(*material, basis, 1, of_s0, 1).at(0.7, stencils);
+        for (std::size_t s = 0; s < stencils.size(); ++s)
+            for (std::size_t p = 0; p < 4; ++p) {
+                CHECK(s0[s][0].energy[p][0] == doctest::Approx(all[s][0].energy[p][0]).epsilon(1e-6));
+                for (std::size_t tap = 0; tap < kSplitUnknowns; tap += 4)
+                    CHECK(s0[s][0].of[p][tap] == doctest::Approx(all[s][0].of[p][tap]).epsilon(1e-6));
+            }
+        CHECK(s0[0][0].energy[0][0] > 0);
+    }
+}
