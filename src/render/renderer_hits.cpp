@@ -27,20 +27,29 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
                              .kept = kept};
     // An image that is one of many of a picture covers a part of each pixel.
     const double images = 1 / (projection.sample_size * projection.sample_size);
-    if (context_->info().software && kept == VisibilityBuffer::Kept::on_host &&
-        rays_cost_less(request, images)) {
-        drawn_hits_.clear();
-        traced_hits_.find(request, hits_);
-        statistics.camera_rays += request.offsets.size() * static_cast<std::uint64_t>(request.width) *
-                                  static_cast<std::uint64_t>(request.height);
-        return;
-    }
-    traced_hits_.clear();
-    update_buffers(surfaces, image.channels);
-    drawn_hits_.find(request, hits_);
+    const bool traced = context_->info().software && kept == VisibilityBuffer::Kept::on_host &&
+                        rays_cost_less(request, images);
+    if (!traced) update_buffers(surfaces, image.channels);
+    if ((options.disabled_optimisations & skip_unchanged) != 0) finding_.reset();
+    // Materials decide about hits by their masks alone.
+    const Version masks = has_masks(surfaces.geometry()) ? surfaces.material_version() : 0;
+    finding_.run(surfaces.version(), masks, of_surfaces.world_to_clip, of_surfaces.pixel,
+                 options.pixel_samples, {image.width, image.height}, kept, traced, [&] {
+                     if (!traced) {
+                         traced_hits_.clear();
+                         drawn_hits_.find(request, hits_);
+                         return;
+                     }
+                     drawn_hits_.clear();
+                     traced_hits_.find(request, hits_);
+                     statistics.camera_rays += request.offsets.size() *
+                                               static_cast<std::uint64_t>(request.width) *
+                                               static_cast<std::uint64_t>(request.height);
+                 });
 }
 
 void Renderer::clear_hits() {
+    finding_.reset();
     hits_.clear();
     drawn_hits_.clear();
     traced_hits_.clear();

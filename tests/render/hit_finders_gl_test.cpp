@@ -160,3 +160,37 @@ IMAGE_TEST_CASE("pictures of many samples of triangles finer than pixels are tra
     static_cast<void>(another(coarse, options));
     CHECK(another.statistics.camera_rays == 0);
 }
+
+IMAGE_TEST_CASE("hits of a view are kept while light and materials change") {
+    if (!context->info().software) return;  // a graphics processor draws, which nothing counts
+    Scene scene;
+    const std::uint32_t id = scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5})});
+    scene.set_environment(test::falling_light(4, true, 3), glm::dmat3(1), 1);
+    RenderOptions options{.executor = Executor::cpu,
+                          .bake_directions = 256,
+                          .order_high = 4,
+                          .shade_at = ShadeAt::pixels,
+                          .pixel_samples = 8};
+    Camera camera = test::some_camera();
+    Studio render(context, 8, 6);
+    StokesImage image;
+    const auto count = [&] {
+        image = render(scene, options, camera);
+        return render.statistics.camera_rays;
+    };
+    constexpr std::uint64_t all = 8 * 8 * 6;
+    CHECK(count() == all);
+    scene.set_material(id, diffuse({0.3}));
+    CHECK(count() == 0);
+    scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), 1);
+    CHECK(count() == 0);
+    Studio fresh(context, 8, 6);
+    CHECK(test::rms_difference(image, fresh(scene, options, camera)) == 0);
+    scene.set_transform(id, at(0.1, 0, 0));
+    CHECK(count() == all);
+    camera.jitter = {0.25, 0};
+    CHECK(count() == all);
+    options.disabled_optimisations = skip_unchanged;
+    scene.set_material(id, diffuse({0.4}));
+    CHECK(count() == all);
+}
