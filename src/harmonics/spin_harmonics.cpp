@@ -4,6 +4,8 @@
 #include "harmonics/spin_harmonics.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 #include "harmonics/scaled.hpp"
@@ -11,8 +13,17 @@
 namespace nicol {
 namespace {
 
-double norm(int l) {
-    return std::sqrt((2 * l + 1) / (4 * std::numbers::pi));
+using Norms = std::array<double, kMaxOrder + 1>;
+
+/// Returns sqrt((2 l + 1) / (4 pi)) by order l, which would take as long as the recursion otherwise.
+const Norms& norms() {
+    static const Norms table = [] {
+        Norms out{};
+        for (std::size_t l = 0; l < out.size(); ++l)
+            out[l] = std::sqrt((2 * static_cast<double>(l) + 1) / (4 * std::numbers::pi));
+        return out;
+    }();
+    return table;
 }
 
 /// Factor l (l+1) cos(theta) - m n, computed without cancellation next to the poles.
@@ -45,8 +56,9 @@ void run_pole_degree(int m, int order, const HalfAngle& half, double first, std:
     double value = first;
     double change = 0;
     double sign = 1;
+    const Norms& norm = norms();
     for (int l = std::abs(m);; ++l) {
-        out[psh_index(l, m)] = norm(l) * sign * value;
+        out[psh_index(l, m)] = norm[static_cast<std::size_t>(l)] * sign * value;
         if (l == order) return;
         const double k = l + 1.0;
         const double root = k * k - mm;
@@ -69,8 +81,9 @@ void run_degree(int m, int n, int order, const HalfAngle& half, Scaled current, 
     double previous = 0;
     double root = 0;  // sqrt((l^2 - m^2)(l^2 - n^2))
     double scale = current.factor();
+    const Norms& norm = norms();
     for (int l = std::max(std::abs(m), std::abs(n));; ++l) {
-        out[psh_index(l, m)] = norm(l) * (current.v * scale);
+        out[psh_index(l, m)] = norm[static_cast<std::size_t>(l)] * (current.v * scale);
         if (l == order) return;
         const double k = l + 1.0;
         double next;
@@ -117,6 +130,12 @@ void spin_harmonics(int spin, int order, double sin_half, double cos_half, std::
         east *= step;
         east *= -ratio;
         run_degree(m + 1, n, order, half, east, out);
+        if (n == 0) {
+            // Degrees m and -m of scalars differ by the factor (-1)^m.
+            const double sign = parity(m + 1);
+            for (int l = m + 1; l <= order; ++l) out[psh_index(l, -m - 1)] = sign * out[psh_index(l, m + 1)];
+            continue;
+        }
         west *= step;
         west *= ratio;
         run_degree(-m - 1, n, order, half, west, out);
