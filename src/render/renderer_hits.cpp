@@ -31,10 +31,9 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
                         rays_cost_less(request, images);
     if (!traced) update_buffers(surfaces, image.channels);
     if ((options.disabled_optimisations & skip_unchanged) != 0) finding_.reset();
-    // Materials decide about hits by their masks alone.
-    const Version masks = has_masks(surfaces.geometry()) ? surfaces.material_version() : 0;
-    finding_.run(surfaces.version(), masks, of_surfaces.world_to_clip, of_surfaces.pixel,
-                 options.pixel_samples, {image.width, image.height}, kept, traced, [&] {
+    // Other alpha masks are other surfaces, and nothing else of materials decides about hits.
+    finding_.run(surfaces.version(), of_surfaces.world_to_clip, of_surfaces.pixel, options.pixel_samples,
+                 {image.width, image.height}, kept, traced, [&] {
                      if (!traced) {
                          traced_hits_.clear();
                          drawn_hits_.find(request, hits_);
