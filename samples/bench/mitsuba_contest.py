@@ -24,8 +24,9 @@ os.environ["NICOL_CACHE"] = ""  # times are without what earlier runs kept
 ASSETS = pathlib.Path(__file__).resolve().parent.parent / "assets"
 DATA = pathlib.Path(os.environ.get("NICOL_TEST_DATA", "nowhere"))
 
+# The last folder is the first to be searched: its images of luminance go before those of the assets.
 SCENE = """<scene version="3.0.0">
-  <path value="{folder}"/><path value="{assets}"/><path value="{data}/polarsh"/>
+  <path value="{assets}"/><path value="{data}/polarsh"/><path value="{folder}"/>
   <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="{max_depth}"/></integrator></integrator>
   <sensor type="perspective"><float name="fov" value="42"/>
     <transform name="to_world"><lookat {camera} up="0,1,0"/></transform>
