@@ -24,11 +24,23 @@ constexpr std::size_t kBatch = 4096;
 // Most bounds of other instances that a change lists.
 constexpr std::size_t kMostBounds = 16384;
 
-void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
+// numbers: see SceneGeometry::Numbers.
+void append_triangles(const Mesh& mesh, std::span<const std::uint32_t> numbers, bool flipped,
+                      std::size_t first, std::vector<glm::uvec3>& triangles) {
     const auto offset = static_cast<std::uint32_t>(first);
-    for (const glm::uvec3& t : mesh.triangles) {
+    for (glm::uvec3 t : mesh.triangles) {
+        if (!numbers.empty()) t = glm::uvec3(numbers[t.x], numbers[t.y], numbers[t.z]);
         triangles.push_back((flipped ? glm::uvec3(t.x, t.z, t.y) : t) + offset);
     }
+}
+
+// Appends values of vertices, times a factor. numbers: see SceneGeometry::Numbers.
+void append_vertices(const std::vector<glm::vec3>& values, std::span<const std::uint32_t> numbers,
+                     float factor, std::vector<glm::vec3>& out) {
+    const std::size_t first = out.size();
+    out.resize(first + values.size());
+    for (std::size_t v = 0; v < values.size(); ++v)
+        out[first + (numbers.empty() ? v : numbers[v])] = factor * values[v];
 }
 
 MaterialPtr material_of(const Instance& instance, bool back) {
@@ -94,6 +106,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .extent = {},
                                       .details = {},
                                       .in_place = nullptr,
+                                      .numbers = nullptr,
                                       .first = 0,
                                       .last = 0,
                                       .former = kNone});
@@ -114,6 +127,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
         }
     }
     divide(pieces);
+    number(pieces);
     return pieces;
 }
 
@@ -180,9 +194,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             const Mesh& in_place = *piece.in_place;
             change.added.push_back(piece.extent.ball);
             for (std::size_t side = 0; side < sides; ++side) {
-                next.positions.insert(next.positions.end(), in_place.positions.begin(),
-                                      in_place.positions.end());
-                for (const glm::vec3& n : in_place.normals) next.normals.push_back(side == 0 ? n : -n);
+                append_vertices(in_place.positions, *piece.numbers, 1, next.positions);
+                append_vertices(in_place.normals, *piece.numbers, side == 0 ? 1.0F : -1.0F, next.normals);
             }
             if (!piece.divided) piece.in_place.reset();
         }
@@ -190,7 +203,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;
             const Instance& instance = scene.instances()[i];
-            append_triangles(mesh, piece.mirrored() != (side == 1), first,
+            append_triangles(mesh, *piece.numbers, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
             next.ranges.push_back({.first = first,
                                    .last = first + count,

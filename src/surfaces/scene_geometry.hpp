@@ -95,6 +95,9 @@ public:
 private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
+    // Number of each vertex of a mesh among the vertices of an instance's side, see block_numbers().
+    using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
+
     // Instance in geometry_.
     struct Piece {
         std::uint32_t id;
@@ -108,6 +111,7 @@ private:
         MeshExtent extent;
         std::vector<Ball> details;             // objects for which large triangles are divided
         std::shared_ptr<const Mesh> in_place;  // mesh in these axes; build() keeps it if it is divided
+        Numbers numbers;                       // those of parts()
         std::size_t first;                     // index of the first vertex
         std::size_t last;
         std::size_t former;              // index among the former pieces if it has not moved, or kNone
@@ -127,6 +131,8 @@ private:
     [[nodiscard]] std::vector<Piece> place(const Scene& scene);
     // Divides triangles that are far larger than an object beside them.
     void divide(std::vector<Piece>& pieces) const;
+    // Sets the pieces' numbers.
+    void number(std::vector<Piece>& pieces) const;
     void find_axes(const Scene& scene, std::size_t largest);
     // Returns whether no fewer vertices stay in place with these axes than with the present ones.
     [[nodiscard]] bool keeps_most(const Scene& scene, const glm::dmat4& to_world) const;
