@@ -30,7 +30,7 @@ SCENE = """<scene version="3.0.0">
   <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="{max_depth}"/></integrator></integrator>
   <sensor type="perspective"><float name="fov" value="42"/>
     <transform name="to_world"><lookat {camera} up="0,1,0"/></transform>
-    <film type="hdrfilm"><integer name="width" value="{size}"/><integer name="height" value="{size}"/><rfilter type="box"/></film>
+    <film type="hdrfilm"><integer name="width" value="{size}"/><integer name="height" value="{size}"/><string name="pixel_format" value="luminance"/><rfilter type="box"/></film>
   </sensor>
   {contents}
 </scene>

@@ -47,8 +47,9 @@ Table ending_in_zeros(const ColorDescription& color) {
 }
 
 std::vector<double> values_of(const glm::dvec3& rgb, const SceneChannels& channels) {
+    const bool grey = rgb.x == rgb.y && rgb.y == rgb.z;
+    if (grey && (channels.one_for_grey || !channels.rgb())) return {rgb.x};
     if (channels.rgb()) return {rgb.x, rgb.y, rgb.z};
-    if (rgb.x == rgb.y && rgb.y == rgb.z) return {rgb.x};
     throw Error(
         ErrorCode::unsupported,
         "a colour of red, green and blue under light of " + std::to_string(channels.count) +

@@ -87,9 +87,10 @@ LocalLight make_sun(const EnvironmentDescription& d) {
     return light;
 }
 
-/// The light says what the channels are; grey light serves any.
-SceneChannels channels_under(const EnvironmentPtr& light) {
-    if (!light || (light->channels() == 1 && light->wavelengths().empty())) return {};
+/// The light says what the channels are; grey light serves any. luminance: whether the film has one channel.
+SceneChannels channels_under(const EnvironmentPtr& light, bool luminance) {
+    if (!light || (light->channels() == 1 && light->wavelengths().empty()))
+        return {.wavelengths = {}, .one_for_grey = luminance};
     return {.count = light->channels(), .wavelengths = light->wavelengths()};
 }
 
@@ -307,7 +308,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         });
     }
     out.scene.hide_emitters(description.integrator.hide_emitters);
-    const SceneChannels channels = channels_under(out.scene.environment());
+    const SceneChannels channels = channels_under(out.scene.environment(), description.sensor.luminance);
     scene::SceneTextures textures(channels, files);
     const MaterialMaker maker{channels, textures, files};
     struct MadeMaterial {

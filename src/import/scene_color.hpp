@@ -14,6 +14,9 @@ namespace nicol {
 struct SceneChannels {
     int count = 3;
     std::vector<double> wavelengths;  ///< empty, or one per channel
+    /// Whether grey has one value also among colours of red, green and blue: for a film of one channel, so
+    /// that images of a scene without colours have one channel from the beginning.
+    bool one_for_grey = false;
 
     [[nodiscard]] bool rgb() const noexcept { return count == 3 && wavelengths.empty(); }
 };

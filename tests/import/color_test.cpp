@@ -23,6 +23,16 @@ double luminance(const std::vector<double>& c) {
 
 }  // namespace
 
+TEST_CASE("grey is one value if the film has one channel, and three if it has colours") {
+    const SceneChannels one{.wavelengths = {}, .one_for_grey = true};
+    const ColorDescription grey(0.4), red(glm::dvec3(0.4, 0.1, 0.1));
+    for (const auto convert : {&reflectance, &radiance, &refractive_index}) {
+        CHECK(convert(grey, one) == std::vector<double>{0.4});
+        CHECK(convert(grey, rgb) == std::vector<double>{0.4, 0.4, 0.4});
+        CHECK(convert(red, one) == convert(red, rgb));
+    }
+}
+
 TEST_CASE("three values are red, green and blue") {
     const ColorDescription color(glm::dvec3(0.1, 0.2, 0.3));
     CHECK(reflectance(color, rgb) == std::vector<double>{0.1, 0.2, 0.3});
