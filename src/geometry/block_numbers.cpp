@@ -56,7 +56,7 @@ void sort(std::span<Vertex> vertices) {
 std::vector<std::uint32_t> block_numbers(std::span<const glm::vec3> positions,
                                          std::span<const glm::vec3> normals) {
     std::vector<std::uint32_t> out;
-    if (positions.size() <= kLanes) return out;
+    if (positions.size() < kLeastOrdered) return out;
     glm::vec3 lower = positions.front(), upper = lower;
     for (const glm::vec3& position : positions) {
         lower = glm::min(lower, position);
