@@ -14,6 +14,7 @@
 #include "methods/lobe_photons.hpp"
 #include "shading/reflection_rows.hpp"
 #include "stage/workers.hpp"
+#include "transfer/arriving_irradiance.hpp"
 #include "transfer/arriving_light.hpp"
 #include "transfer/frame_rotation.hpp"
 #include "transfer/light_columns.hpp"
@@ -70,9 +71,13 @@ private:
     void arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
                 const Leave& leave, const LobePhotons* photons = nullptr,
                 std::span<const std::size_t> channels = {}) const;
-    /// Adds photons to the light that arrives at a block of receivers.
+    /// Adds photons to the light that arrives at a block of receivers. irradiance: see arrive().
     void add_photons(std::size_t block, const LobePhotons& photons, std::span<const std::size_t> channels,
-                     std::size_t components, LightColumns& out) const;
+                     std::size_t components, std::span<const glm::vec3> normals, std::span<Lanes> irradiance,
+                     LightColumns& out) const;
+    /// Adds s0 from a direction to the irradiance over pi of a surface.
+    void add_irradiance(std::size_t direction, float solid_angle, const glm::vec3& normal,
+                        std::span<const Lanes> s0, Lanes* irradiance) const;
     /// Adds what leaves along the links of a batch of light at vertices and of bounced light at receivers, of
     /// which one may be null.
     void add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, bool only_coarse,
@@ -90,6 +95,7 @@ private:
     LightLayout scalar_layout_;
     FrameRotation rotation_;
     FrameRotation scalar_rotation_;
+    ArrivingIrradiance irradiance_;
     Viewpoint frames_ = link_frames();
     std::size_t channel_;
 };

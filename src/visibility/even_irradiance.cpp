@@ -16,14 +16,19 @@ constexpr double kMost = 3;
 
 }  // namespace
 
-EvenIrradiance::EvenIrradiance(const DirectionSet& directions, int order) : hidden_(directions) {
+std::vector<double> zonal_irradiance(int order) {
+    std::vector<double> out;
     // The integral of P_l(z) z over the upper half: pi, pi / 4, and so on by the ratio of l - 1 and l + 4.
     double integral = 1;
     for (int l = 0; l <= order; l += 2) {
-        irradiance_.push_back(std::sqrt((2 * l + 1) / (4 * std::numbers::pi)) * integral);
+        out.push_back(std::sqrt((2 * l + 1) / (4 * std::numbers::pi)) * integral);
         integral *= (1.0 - l) / (l + 4);
     }
+    return out;
 }
+
+EvenIrradiance::EvenIrradiance(const DirectionSet& directions, int order)
+    : hidden_(directions), irradiance_(zonal_irradiance(order)) {}
 
 void EvenIrradiance::restore(const Visibility& visibility, std::size_t vertex, const glm::vec3& unit_normal,
                              std::span<float> coefficients, std::size_t stride) const {

@@ -11,6 +11,10 @@
 
 namespace nicol {
 
+/// Returns the irradiance over pi that a light's coefficient (l, 0) of 1 has on a surface with the normal z,
+/// for l = 0, 2, 4 ... up to the order.
+[[nodiscard]] std::vector<double> zonal_irradiance(int order);
+
 /// Scales a vertex's coefficients of VisibilityHarmonics so that, truncated at an order, a matt surface
 /// reflects even light exactly as much as the visible directions say.
 class EvenIrradiance {
@@ -25,8 +29,7 @@ public:
 
 private:
     HiddenLight hidden_;
-    // Irradiance, relative to that of an unoccluded vertex, of a coefficient (2 k, 0) of 1.
-    std::vector<double> irradiance_;
+    std::vector<double> irradiance_;  // see zonal_irradiance()
 };
 
 }  // namespace nicol

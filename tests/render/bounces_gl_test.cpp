@@ -67,7 +67,8 @@ IMAGE_TEST_CASE("surfaces that absorb nothing look like the even light around th
     const StokesImage image = render(scene, bouncing(kUnlimitedDepth));
     CHECK(render.statistics.bounce_rounds > 3);
     CHECK(render.statistics.bounced_left < 0.01);
-    CHECK(mean_s0(image) == doctest::Approx(1).epsilon(0.01));
+    // Light that few orders lose in each bounce would be missing.
+    CHECK(std::abs(mean_s0(image) - 1) < 0.0125);
     CHECK(distance_from(image, 1) < 0.15);
     CHECK(distance_from(render(scene, bouncing(2)), 1) > 0.3);
 }
