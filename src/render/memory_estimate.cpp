@@ -169,6 +169,22 @@ MemoryEstimate reference_memory(const Scene& scene) {
 
 }  // namespace
 
+MemoryInputs::MemoryInputs(const Scene& scene, const RenderOptions& options)
+    : paths(nicol::paths(scene, options)),
+      geometry(scene.geometry_version()),
+      distant(distant_kind(scene)),
+      kind(kind_of(scene, options)),
+      high_orders(options.high_orders),
+      method(options.method),
+      channels(scene.channels()),
+      order_low(order_of(scene, options)),
+      order_high(options.order_high),
+      bake_directions(options.bake_directions),
+      disabled_optimisations(options.disabled_optimisations),
+      bounces(nicol::bounces(options)),
+      shadows(options.shadows),
+      high_order_shadows(options.high_order_shadows) {}
+
 MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options) {
     if (options.method == Method::reference) return reference_memory(scene);
     const Size size = size_of(scene);
@@ -265,19 +281,15 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
     vertices_ = size_of(scene).vertices;
     if (!saves()) return;
     image_ = image_memory(scene, options, width, height) + gradients.texels;
-    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), distant_kind(scene),
-                  bounces(options), options.method, order_of(scene, options), options.order_high,
-                  options.high_orders, options.shadows, options.high_order_shadows, options.bake_directions,
-                  options.disabled_optimisations, image_, paths(scene, options), gradients.of_vertices, [&] {
-                      estimate_ = estimate_memory(scene, options);
-                      estimate_.transfer += gradients.of_vertices;
-                      const std::uint64_t needed = estimate_.total() + image_;
-                      if (needed <= bytes_) return;
-                      throw Error(ErrorCode::out_of_memory,
-                                  "the scene and its image need up to " + std::to_string(needed) +
-                                      " bytes at run time; the context's memory_limit is " +
-                                      std::to_string(bytes_));
-                  });
+    checking_.run(MemoryInputs(scene, options), image_, gradients.of_vertices, [&] {
+        estimate_ = estimate_memory(scene, options);
+        estimate_.transfer += gradients.of_vertices;
+        const std::uint64_t needed = estimate_.total() + image_;
+        if (needed <= bytes_) return;
+        throw Error(ErrorCode::out_of_memory, "the scene and its image need up to " + std::to_string(needed) +
+                                                  " bytes at run time; the context's memory_limit is " +
+                                                  std::to_string(bytes_));
+    });
     share_.reserve(estimate_.visibility + estimate_.transfer + estimate_.focused + image_);
 }
 

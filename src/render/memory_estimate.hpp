@@ -32,6 +32,27 @@ struct MemoryEstimate {
     [[nodiscard]] std::uint64_t of_vertices() const noexcept { return visibility + transfer + buffers; }
 };
 
+/// All that estimate_memory() depends on.
+struct MemoryInputs {
+    MemoryInputs(const Scene& scene, const RenderOptions& options);
+    bool operator==(const MemoryInputs&) const = default;
+
+    std::uint64_t paths;  ///< bytes of focused light and photons
+    Version geometry;
+    std::optional<LightKind> distant;
+    LightKind kind;
+    HighOrders high_orders;
+    Method method;
+    int channels;
+    int order_low;
+    int order_high;
+    int bake_directions;
+    std::uint32_t disabled_optimisations;
+    bool bounces;
+    bool shadows;
+    bool high_order_shadows;
+};
+
 /// Returns the estimate for a scene. Takes milliseconds and allocates little, whatever the scene's size. For
 /// the reference method, the estimate includes the ray hierarchy and the triangles themselves.
 [[nodiscard]] MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options);
@@ -96,11 +117,8 @@ private:
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
-    // Inputs: geometry, channels, components of the light and of the distant light, whether light bounces,
-    // the options that matter, the bytes of the image, of focused light and of gradients.
-    Stage<Version, int, LightKind, std::optional<LightKind>, bool, Method, int, int, HighOrders, bool, bool,
-          int, std::uint32_t, std::uint64_t, std::uint64_t, std::uint64_t>
-        checking_;
+    // Inputs beside those of the scene: the bytes of the image and of gradients.
+    Stage<MemoryInputs, std::uint64_t, std::uint64_t> checking_;
 };
 
 }  // namespace nicol

@@ -12,7 +12,6 @@
 #include "harmonics/energy.hpp"
 #include "material/shared_terms.hpp"
 #include "render/light_projection.hpp"
-#include "render/memory_estimate.hpp"
 #include "render/vertex_weights.hpp"
 
 namespace nicol {
@@ -95,10 +94,7 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
         mean_square_ = values_ = 0;
         if (projected.light) measure(scene, projected, surfaces, projection);
     });
-    std::optional<LightKind> distant;
-    if (scene.distant_light() != nullptr) distant = light_kind(scene.distant_light().get());
-    limiting_.run(scene.geometry_version(), distant, options.shadows, options.high_order_shadows,
-                  options.bake_directions, options.high_orders, memory_limit,
+    limiting_.run(MemoryInputs(scene, options), memory_limit,
                   [&] { highest_low_ = highest_low(scene, options, memory_limit); });
     const bool split = options.high_orders == HighOrders::split;
     const double tolerance = options.tolerance * options.order_slack;
@@ -232,13 +228,15 @@ void OrderSelector::measure_shadows(const SurfaceState& surfaces) {
     constexpr std::size_t size = kOrder + 1;
     std::optional<VisibilityHarmonics> harmonics;
     const VertexWeights vertices(geometry, surfaces.baked);
-    const std::map<MaterialPtr, Shadowed> former = std::exchange(shadowed_, {});
-    const bool same_surfaces = std::exchange(shadowed_versions_, {}) == surfaces.versions;
+    std::map<std::vector<std::uint32_t>, Shadowed> former;
+    if (shadowed_versions_ == surfaces.versions)
+        for (const auto& [material, shadowed] : shadowed_) former.emplace(shadowed.sample, shadowed);
+    shadowed_.clear();
+    shadowed_versions_ = {};
     for (const auto& [material, group] : vertices.groups()) {
         Shadowed& shadowed = shadowed_[material];
         // Another material on the same vertices has the same shadows.
-        const auto known = std::ranges::find_if(
-            former, [&](const auto& other) { return same_surfaces && other.second.sample == group.sample; });
+        const auto known = former.find(group.sample);
         if (known != former.end()) shadowed = known->second;
         shadowed.weight = group.weight;
         if (known != former.end()) continue;

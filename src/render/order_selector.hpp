@@ -13,6 +13,7 @@
 #include "material/response_power.hpp"
 #include "material/sampled_terms.hpp"
 #include "render/kept_projection.hpp"
+#include "render/memory_estimate.hpp"
 #include "scene/scene.hpp"
 #include "specular/split_fit.hpp"
 #include "stage/options.hpp"
@@ -113,7 +114,7 @@ private:
     struct SharedFit {
         SharedFit(int low, int high) : basis(low, high) {}
         SplitBasis basis;
-        std::map<std::string, KnownMoments> known;  // by terms_key(), for the kind of light
+        std::map<std::string, KnownMoments> known;  // by terms_key(), of the columns for kind_
     };
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
@@ -124,7 +125,7 @@ private:
         double weight = 0;
         double fraction = 1;
         std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
-        std::vector<std::uint32_t> sample;             // vertices that these were measured at
+        std::vector<std::uint32_t> sample;             // vertices at which shadows were measured
     };
     Stage<Version, SurfaceVersions> shadowing_;  // versions of materials and surfaces
     std::map<MaterialPtr, Shadowed> shadowed_;
@@ -140,10 +141,9 @@ private:
     LightPower light_;
     LightPower all_light_;
     std::vector<Share> shares_;
-    double mean_square_ = 0;  // mean square of s0, times `values_`
-    double values_ = 0;       // weights of vertices times channels
-    // Inputs: geometry, kind of light, the options that affect memory, the memory limit.
-    Stage<Version, std::optional<LightKind>, bool, bool, int, HighOrders, std::uint64_t> limiting_;
+    double mean_square_ = 0;                       // mean square of s0, times `values_`
+    double values_ = 0;                            // weights of vertices times channels
+    Stage<MemoryInputs, std::uint64_t> limiting_;  // and the memory limit
     int highest_low_ = kHighestLow;
     Stage<double, bool, bool, int> choosing_;  // tolerance, split, local lights, highest_low_
     Orders chosen_;
