@@ -1894,7 +1894,8 @@ typedef struct nicol_statistics {
     uint64_t buffer_bytes;          /* bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders */
     uint64_t texture_bytes;         /* bytes of OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* rays from the camera: of the reference method, or those that found the triangles
-                                       at pixels where these are much finer than pixels; 0: triangles were drawn */
+                                       at pixels where these are much finer than pixels; 0: triangles were drawn, or the
+                                       triangles of the image before were kept */
     uint64_t shadow_rays;           /* reference: rays towards the light */
     double trace_ms;                /* reference: time of tracing rays */
     uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */

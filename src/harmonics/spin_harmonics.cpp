@@ -15,7 +15,8 @@ namespace {
 
 using Norms = std::array<double, kMaxOrder + 1>;
 
-/// Returns sqrt((2 l + 1) / (4 pi)) by order l, which would take as long as the recursion otherwise.
+/// Returns sqrt((2 l + 1) / (4 pi)) by order l. Roots and divisions take as long as the recursion, so they
+/// are tabulated.
 const Norms& norms() {
     static const Norms table = [] {
         Norms out{};

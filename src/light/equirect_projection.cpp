@@ -251,7 +251,7 @@ IntervalRule interval_rule(int order, int intervals) {
 /// Sum of the coefficients of ranges of intervals between rows.
 class MeridianSum {
 public:
-    /// spin: whether any row has s1 or s2.
+    /// spin: whether rows may have s1 or s2.
     MeridianSum(const FourierRows& rows, bool spin, const IntervalRule& rule)
         : rows_(rows), spin_(spin), rule_(rule), sum_(4 * psh_count(rows.order), 0.0) {}
     MeridianSum(const MeridianSum& other, tbb::split) : MeridianSum(other.rows_, other.spin_, other.rule_) {}

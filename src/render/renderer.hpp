@@ -147,9 +147,9 @@ private:
     VisibilityBuffer hits_;
     DrawnHits drawn_hits_;
     TracedHits traced_hits_;
-    // Inputs of hits_: geometry, projection to clip space, size of a pixel there, samples of a pixel, size of
-    // the image, location of the hits, whether rays find them.
-    Stage<Version, glm::dmat4, glm::dvec2, int, std::pair<int, int>, VisibilityBuffer::Kept, bool> finding_;
+    // Inputs of hits_: geometry, projection to clip space, samples of a pixel, size of the image, location of
+    // the hits, whether rays find them.
+    Stage<Version, glm::dmat4, int, std::pair<int, int>, VisibilityBuffer::Kept, bool> finding_;
     const Device* device_ = nullptr;  // device of the executor
     std::unique_ptr<RenderExecutor> executor_;
     Painter painter_;

@@ -31,8 +31,9 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
                         rays_cost_less(request, images);
     if (!traced) update_buffers(surfaces, image.channels);
     if ((options.disabled_optimisations & skip_unchanged) != 0) finding_.reset();
-    // Other alpha masks are other surfaces, and nothing else of materials decides about hits.
-    finding_.run(surfaces.version(), of_surfaces.world_to_clip, of_surfaces.pixel, options.pixel_samples,
+    // Materials with another alpha mask or other sides give the surfaces another version, and nothing else of
+    // materials affects hits.
+    finding_.run(surfaces.version(), of_surfaces.world_to_clip, options.pixel_samples,
                  {image.width, image.height}, kept, traced, [&] {
                      if (!traced) {
                          traced_hits_.clear();

@@ -100,7 +100,7 @@ template <class Number>
     }
 }
 
-/// Elements of Mueller matrices that are not 0.
+/// Elements of Mueller matrices that are summed.
 enum class Elements { scalar, column, all };
 
 // Returns the elements of the matrices, of which the first `columns` are known.

@@ -74,9 +74,9 @@ void RayCones::add(const glm::vec3& axis, float sine, std::span<std::uint16_t> b
     }
 }
 
-void RayCones::find_above(const glm::vec3& normal, std::span<std::uint8_t> some) const {
+void RayCones::find_above(const glm::vec3& normal, std::span<std::uint8_t> above) const {
     const Cones cones{x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data()};
-    dispatch<find_near>(some.size(), cones, normal, 0.0F, 1.0F, some.data());
+    dispatch<find_near>(above.size(), cones, normal, 0.0F, 1.0F, above.data());
 }
 
 void RayCones::add_beside(std::size_t i, std::span<std::uint16_t> bits) const {

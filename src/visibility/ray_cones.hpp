@@ -23,9 +23,9 @@ public:
     void add(const glm::vec3& axis, float sine, std::span<std::uint16_t> bits) const;
     /// Adds direction number i and the directions beside it, about eight.
     void add_beside(std::size_t i, std::span<std::uint16_t> bits) const;
-    /// Sets some[b] to 0 for bundles whose directions are all below the plane of a unit normal, to 1 for
-    /// others.
-    void find_above(const glm::vec3& normal, std::span<std::uint8_t> some) const;
+    /// Sets a number for each bundle: 0 only if all its directions are below the plane of a unit normal, else
+    /// 1.
+    void find_above(const glm::vec3& normal, std::span<std::uint8_t> above) const;
     [[nodiscard]] std::size_t bundles() const noexcept { return x_.size(); }
 
 private:

@@ -162,12 +162,12 @@ TEST_CASE("rays see all of a material without mirror symmetry") {
     constexpr int order = 19;
     const EnvironmentPtr light = test::falling_light(4, true, 1);
     for (const IsotropicMatrix& matrix : matrices(order)) {
-        // Measured gold is noisier: 3.5 % of s0 at 1,024 samples, where the synthetic material has 0.2 %.
-        const double most = &matrix == &matrices(order).front() ? 0.0125 : 0.045;
+        // Measured gold is noisier: 2.5 % of s0, where the synthetic material has 0.2 %.
+        const double most = &matrix == &matrices(order).front() ? 0.0125 : 0.03;
         ReferenceStatistics statistics;
         const StokesImage image = render_reference(
             scene_of(psh_matrix_material({matrix}), light), project(camera_above(), kPixels, kPixels),
-            kPixels, kPixels, {.samples = 1024, .shadows = false}, statistics);
+            kPixels, kPixels, {.samples = 2048, .shadows = false}, statistics);
         check_errors(image, truth(matrix, light->project(order)), most);
     }
 }

@@ -165,6 +165,9 @@ IMAGE_TEST_CASE("hits of a view are kept while light and materials change") {
     if (!context->info().software) return;  // a graphics processor draws, which nothing counts
     Scene scene;
     const std::uint32_t id = scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5})});
+    // The scene's axes follow the largest object, so another one moves.
+    const std::uint32_t small = scene.add(
+        {.mesh = test::fine_sphere(), .material = diffuse({0.5}), .to_world = at(0.9, 0, 0.6, 0.3)});
     scene.set_environment(test::falling_light(4, true, 3), glm::dmat3(1), 1);
     RenderOptions options{.executor = Executor::cpu,
                           .bake_directions = 256,
@@ -184,10 +187,20 @@ IMAGE_TEST_CASE("hits of a view are kept while light and materials change") {
     CHECK(count() == 0);
     scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), 1);
     CHECK(count() == 0);
-    Studio fresh(context, 8, 6);
-    CHECK(test::rms_difference(image, fresh(scene, options, camera)) == 0);
-    scene.set_transform(id, at(0.1, 0, 0));
+    const auto check_fresh = [&] {
+        Studio fresh(context, 8, 6);
+        // Vertices that the bake adds differ a little after a move.
+        CHECK(test::rms_difference(image, fresh(scene, options, camera)) < 2e-3 * test::rms(image));
+    };
+    check_fresh();
+    scene.set_transform(small, at(0.9, 0.2, 0.6, 0.3));
     CHECK(count() == all);
+    scene.set_material(small, twosided(diffuse({0.5})));
+    CHECK(count() == all);
+    options.pixel_samples = 4;
+    CHECK(count() == all / 2);
+    check_fresh();
+    options.pixel_samples = 8;
     camera.jitter = {0.25, 0};
     CHECK(count() == all);
     options.disabled_optimisations = skip_unchanged;

@@ -1569,7 +1569,8 @@ class Statistics(Struct):
     buffer_bytes: bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders
     texture_bytes: bytes of OpenGL textures, framebuffer included
     camera_rays: rays from the camera: of the reference method, or those that found the triangles
-                                               at pixels where these are much finer than pixels; 0: triangles were drawn
+                                               at pixels where these are much finer than pixels; 0: triangles were drawn, or the
+                                               triangles of the image before were kept
     shadow_rays: reference: rays towards the light
     trace_ms: reference: time of tracing rays
     compute: 1 if compute shaders relit and shaded, 0 if threads did
