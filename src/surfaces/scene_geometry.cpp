@@ -24,7 +24,7 @@ constexpr std::size_t kBatch = 4096;
 // Most bounds of other instances that a change lists.
 constexpr std::size_t kMostBounds = 16384;
 
-// numbers: see SceneGeometry::Numbers.
+// numbers: see SceneGeometry::VertexOrder.
 void append_triangles(const Mesh& mesh, std::span<const std::uint32_t> numbers, bool flipped,
                       std::size_t first, std::vector<glm::uvec3>& triangles) {
     const auto offset = static_cast<std::uint32_t>(first);
@@ -34,7 +34,7 @@ void append_triangles(const Mesh& mesh, std::span<const std::uint32_t> numbers, 
     }
 }
 
-// Appends values of vertices, times a factor. numbers: see SceneGeometry::Numbers.
+// Appends values of vertices, times a factor. numbers: see SceneGeometry::VertexOrder.
 void append_vertices(const std::vector<glm::vec3>& values, std::span<const std::uint32_t> numbers,
                      float factor, std::vector<glm::vec3>& out) {
     const std::size_t first = out.size();
@@ -106,7 +106,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .extent = {},
                                       .details = {},
                                       .in_place = nullptr,
-                                      .numbers = nullptr,
+                                      .order = nullptr,
                                       .first = 0,
                                       .last = 0,
                                       .former = kNone});
@@ -127,7 +127,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
         }
     }
     divide(pieces);
-    number(pieces);
+    order_vertices(pieces);
     return pieces;
 }
 
@@ -194,8 +194,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             const Mesh& in_place = *piece.in_place;
             change.added.push_back(piece.extent.ball);
             for (std::size_t side = 0; side < sides; ++side) {
-                append_vertices(in_place.positions, *piece.numbers, 1, next.positions);
-                append_vertices(in_place.normals, *piece.numbers, side == 0 ? 1.0F : -1.0F, next.normals);
+                append_vertices(in_place.positions, *piece.order, 1, next.positions);
+                append_vertices(in_place.normals, *piece.order, side == 0 ? 1.0F : -1.0F, next.normals);
             }
             if (!piece.divided) piece.in_place.reset();
         }
@@ -203,7 +203,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;
             const Instance& instance = scene.instances()[i];
-            append_triangles(mesh, *piece.numbers, piece.mirrored() != (side == 1), first,
+            append_triangles(mesh, *piece.order, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
             next.ranges.push_back({.first = first,
                                    .last = first + count,

@@ -96,7 +96,7 @@ private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     // Number of each vertex of a mesh among the vertices of an instance's side, see block_numbers().
-    using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
+    using VertexOrder = std::shared_ptr<const std::vector<std::uint32_t>>;
 
     // Instance in geometry_.
     struct Piece {
@@ -111,7 +111,7 @@ private:
         MeshExtent extent;
         std::vector<Ball> details;             // objects for which large triangles are divided
         std::shared_ptr<const Mesh> in_place;  // mesh in these axes; build() keeps it if it is divided
-        Numbers numbers;                       // those of parts()
+        VertexOrder order;                     // that of parts(), or of the mesh before it was deformed
         std::size_t first;                     // index of the first vertex
         std::size_t last;
         std::size_t former;              // index among the former pieces if it has not moved, or kNone
@@ -119,6 +119,7 @@ private:
         std::size_t first_triangle = 0;  // index of the first triangle
         Version placed = 0;              // see Blocker
         std::uint32_t batch = 0;
+        bool deformed = false;  // whether `order` may be that of another shape
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
         [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
@@ -131,8 +132,9 @@ private:
     [[nodiscard]] std::vector<Piece> place(const Scene& scene);
     // Divides triangles that are far larger than an object beside them.
     void divide(std::vector<Piece>& pieces) const;
-    // Sets the pieces' numbers.
-    void number(std::vector<Piece>& pieces) const;
+    // Sets the pieces' orders. A mesh that deforms keeps the order of its first shape, so that its vertices
+    // can be followed; bounced light then has other noise than after a fresh start.
+    void order_vertices(std::vector<Piece>& pieces) const;
     void find_axes(const Scene& scene, std::size_t largest);
     // Returns whether no fewer vertices stay in place with these axes than with the present ones.
     [[nodiscard]] bool keeps_most(const Scene& scene, const glm::dmat4& to_world) const;

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/scene_geometry.hpp"
 
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <span>
+
+#include "geometry/block_numbers.hpp"
 #include "geometry/deformed_mesh.hpp"
+#include "geometry/graded_mesh.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
 
@@ -22,7 +28,119 @@ bool inside(const Ball& ball, const glm::vec3& point) {
     return glm::distance(ball.centre, point) <= ball.radius;
 }
 
+// Checks that all triangles have the corners of the instances' meshes in place, in the order of these.
+// divided: index of the instance whose triangles are divided; none: the number of instances.
+void check_corners(const SceneGeometry& surfaces, const Scene& scene, std::size_t divided) {
+    const WorldGeometry& geometry = surfaces.geometry();
+    std::vector<Mesh> meshes;
+    std::vector<MeshExtent> extents;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        const Instance& instance = scene.instances()[i];
+        meshes.push_back(placed(*instance.mesh, glm::inverse(surfaces.to_world()) * instance.to_world, 0));
+        extents.push_back(extent_of(meshes.back()));
+    }
+    const Details details(extents);
+    REQUIRE(surfaces.blockers().size() == meshes.size());
+    std::size_t triangles = 0, elsewhere = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        CAPTURE(i);
+        const auto parts = graded(meshes[i], details.beside(extents[i]));
+        CHECK((parts != nullptr) == (i == divided));
+        const Mesh& mesh = parts ? *parts : meshes[i];
+        const SceneGeometry::Blocker& blocker = surfaces.blockers()[i];
+        REQUIRE(blocker.triangles == mesh.triangles.size());
+        REQUIRE(blocker.last - blocker.first == mesh.positions.size());
+        const std::size_t sides = blocker.two_sided ? 2 : 1;
+        triangles += sides * blocker.triangles;
+        float farthest = 0, bent = 0;
+        for (std::size_t side = 0; side < sides; ++side)
+            for (std::size_t t = 0; t < blocker.triangles; ++t) {
+                const glm::uvec3& corners =
+                    geometry.triangles[blocker.first_triangle + side * blocker.triangles + t];
+                glm::uvec3 expected = mesh.triangles[t];
+                if (side == 1) std::swap(expected.y, expected.z);
+                for (int k = 0; k < 3; ++k) {
+                    const std::size_t v = corners[k], of_mesh = expected[k];
+                    elsewhere += v - blocker.first != of_mesh ? 1 : 0;
+                    farthest =
+                        std::max(farthest, glm::distance(geometry.positions[v], mesh.positions[of_mesh]) /
+                                               static_cast<float>(extents[i].ball.radius));
+                    const glm::vec3 normal = (side == 0 ? 1.0F : -1.0F) * mesh.normals[of_mesh];
+                    bent = std::max(bent, glm::distance(geometry.normals[v], normal));
+                }
+            }
+        CHECK(farthest < 1e-6);
+        CHECK(bent < 1e-5);
+    }
+    CHECK(triangles == geometry.triangles.size());
+    CHECK(elsewhere > triangles);  // The order is another one than the meshes'.
+}
+
 }  // namespace
+
+TEST_CASE("triangles have the corners of their meshes, in whatever order the vertices are") {
+    const auto ball = test::fine_sphere();
+    const auto floor = std::make_shared<const Mesh>(make_rectangle(40));
+    REQUIRE(floor->positions.size() >= kLeastOrdered);
+    Scene scene;
+    scene.add({.mesh = ball, .material = diffuse({0.5})});
+    scene.add({.mesh = ball, .material = diffuse({0.4}), .to_world = at(3, 0, 0)});
+    scene.add({.mesh = ball,
+               .material = diffuse({0.4}),
+               .to_world = glm::scale(at(0, 3, 0), glm::dvec3(-1, 2, 1))});
+    scene.add({.mesh = ball, .material = twosided(diffuse({0.4})), .to_world = at(0, 6, 0)});
+    const glm::dmat4 wide = glm::scale(at(0, 0, -3), glm::dvec3(2000, 2000, 1));
+    const std::uint32_t below = scene.add({.mesh = floor, .material = diffuse({0.4}), .to_world = wide});
+    scene.add({.mesh = ball,
+               .material = twosided(diffuse({0.4})),
+               .to_world = glm::scale(at(0, 9, 0), glm::dvec3(1, 1, -1))});
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    check_corners(surfaces, scene, 6);
+    const std::uint32_t small = scene.add({.mesh = coarse_sphere(2),
+                                           .material = diffuse({0.4}),
+                                           .to_world = glm::scale(at(30, 40, -3), glm::dvec3(0.01))});
+    surfaces.update(scene);
+    check_corners(surfaces, scene, below);
+    scene.set_transform(small, at(1, 0, 0) * scene.at(small).to_world);
+    surfaces.update(scene);
+    check_corners(surfaces, scene, below);
+    scene.remove(small);
+    surfaces.update(scene);
+    check_corners(surfaces, scene, 6);
+    scene.set_transform(1, glm::rotate(at(3, 0, 1), 0.5, glm::dvec3(1, 1, 0)));
+    surfaces.update(scene);
+    check_corners(surfaces, scene, 6);
+}
+
+TEST_CASE("a deformed mesh keeps its vertices' order, which no other instance takes over") {
+    Scene scene;
+    const auto ball = test::fine_sphere();
+    scene.add({.mesh = ball, .material = diffuse({0.5})});
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const std::vector<glm::uvec3> given = surfaces.geometry().triangles;
+    std::vector<glm::vec3> positions = ball->positions;
+    for (glm::vec3& p : positions) p = glm::vec3(3, 1, 0.2F) * p;
+    const auto flat = std::make_shared<const Mesh>(deformed(*ball, std::move(positions), {}));
+    scene.set_mesh(0, flat);
+    surfaces.update(scene);
+    CHECK(surfaces.geometry().triangles == given);
+    // The deformed instance also moves, and is still no source of orders.
+    scene.set_transform(0, glm::rotate(at(0, 0, 5), 0.5, glm::dvec3(1, 1, 0)));
+    surfaces.update(scene);
+    scene.add({.mesh = flat, .material = diffuse({0.5})});
+    surfaces.update(scene);
+    SceneGeometry fresh;
+    fresh.update(scene);
+    const std::span<const glm::uvec3> now(surfaces.geometry().triangles),
+        expected(fresh.geometry().triangles);
+    const std::size_t half = given.size();
+    REQUIRE(now.size() == 2 * half);
+    CHECK(std::ranges::equal(now.first(half), given));
+    CHECK(std::ranges::equal(now.subspan(half), expected.subspan(half)));
+    CHECK_FALSE(std::ranges::equal(now.first(half), expected.first(half)));
+}
 
 TEST_CASE("an instance that is moved too far is named") {
     Scene scene = two_balls();

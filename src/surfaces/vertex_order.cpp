@@ -9,30 +9,32 @@
 
 namespace nicol {
 
-void SceneGeometry::number(std::vector<Piece>& pieces) const {
-    std::map<const Mesh*, Numbers> known;
+void SceneGeometry::order_vertices(std::vector<Piece>& pieces) const {
+    // Orders of meshes, each computed from this very mesh, so that a new instance has that of a fresh start.
+    std::map<const Mesh*, VertexOrder> known;
     for (const Piece& former : pieces_)
-        if (!former.divided) known.try_emplace(former.mesh.get(), former.numbers);
+        if (!former.divided && !former.deformed) known.try_emplace(former.mesh.get(), former.order);
     for (Piece& piece : pieces) {
         const std::size_t before = piece.former != kNone ? piece.former : piece.elsewhere;
-        // A deformed mesh keeps its numbers, so that its vertices can be followed.
         if (before != kNone && piece.divided == pieces_[before].divided &&
             (piece.former != kNone || !piece.divided)) {
-            piece.numbers = pieces_[before].numbers;
+            const Piece& former = pieces_[before];
+            piece.order = former.order;
+            piece.deformed = former.deformed || former.mesh != piece.mesh;
             continue;
         }
         const Mesh& mesh = piece.parts();
-        const auto numbers = [&mesh] {
+        const auto order = [&mesh] {
             return std::make_shared<const std::vector<std::uint32_t>>(
                 block_numbers(mesh.positions, mesh.normals));
         };
         if (piece.divided) {
-            piece.numbers = numbers();
+            piece.order = order();
             continue;
         }
-        Numbers& of_mesh = known[&mesh];
-        if (of_mesh == nullptr) of_mesh = numbers();
-        piece.numbers = of_mesh;
+        VertexOrder& of_mesh = known[&mesh];
+        if (of_mesh == nullptr) of_mesh = order();
+        piece.order = of_mesh;
     }
 }
 
