@@ -62,13 +62,14 @@ std::vector<std::uint32_t> block_numbers(std::span<const glm::vec3> positions,
         lower = glm::min(lower, position);
         upper = glm::max(upper, position);
     }
-    const glm::vec3 sides = upper - lower;
-    const float size = std::max({sides.x, sides.y, sides.z});
-    const float scale = size > 0 ? 1 / size : 0;
+    // Single precision has neither the size of the largest meshes nor the inverse of that of the smallest.
+    const glm::dvec3 origin(lower), sides = glm::dvec3(upper) - origin;
+    const double size = std::max({sides.x, sides.y, sides.z});
+    const double scale = size > 0 ? 1 / size : 0;
     std::vector<Vertex> vertices;
     vertices.reserve(positions.size());
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        const glm::vec3 p = (positions[v] - lower) * scale, n = kNormalOfSize * normals[v];
+        const glm::vec3 p((glm::dvec3(positions[v]) - origin) * scale), n = kNormalOfSize * normals[v];
         vertices.push_back({{p.x, p.y, p.z, n.x, n.y, n.z}, static_cast<std::uint32_t>(v)});
     }
     sort(vertices);

@@ -59,6 +59,15 @@ TEST_CASE("block numbers are a permutation whose blocks face alike, from whereve
         CHECK(excess(mesh, order, to_eye) < 1.15);
         CHECK(excess(mesh, given_order, to_eye) > 1.9);
     }
+    // Neither sizes beyond the range of float nor inverses of sizes disturb them.
+    for (const float size : {3e38F, 1e-39F}) {
+        CAPTURE(size);
+        std::vector<glm::vec3> positions = mesh.positions;
+        for (glm::vec3& position : positions) position *= size;
+        const auto scaled = by_number(block_numbers(positions, mesh.normals));
+        CHECK(std::ranges::find(scaled, scaled.size()) == scaled.end());
+        CHECK(excess(mesh, scaled, {1, 0, 0}) < 1.15);
+    }
     // They depend on the shape alone, neither on its size nor on where it is.
     for (glm::vec3& position : mesh.positions) position *= 4.0F;
     CHECK(block_numbers(mesh.positions, mesh.normals) == numbers);
