@@ -58,8 +58,15 @@ RayleighSky sky_of(const EnvironmentDescription& d) {
             .ground_albedo = reflectance(d.ground_albedo, rgb)};
 }
 
-EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
-    const SceneChannels rgb;
+/// The light says what the channels are; grey light serves any. luminance: whether the film has one channel.
+SceneChannels channels_under(const EnvironmentPtr& light, bool luminance) {
+    if (!light || (light->channels() == 1 && light->wavelengths().empty()))
+        return {.wavelengths = {}, .one_for_grey = luminance};
+    return {.count = light->channels(), .wavelengths = light->wavelengths()};
+}
+
+/// luminance: whether the film has one channel.
+EnvironmentPtr make(const EnvironmentDescription& d, bool luminance, scene::SceneFiles& files) {
     switch (d.kind) {
         case EnvironmentDescription::Kind::envmap: {
             EnvironmentPtr light = files.read(environment_files(d.filename, files.budget().files()), [&] {
@@ -73,7 +80,7 @@ EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
             return psh_environment(
                 files.read(d.filename, [&] { return read_psh_vector(d.filename, files.budget()); }));
         case EnvironmentDescription::Kind::constant:
-            return constant_environment(radiance(d.radiance, rgb));
+            return constant_environment(radiance(d.radiance, channels_under(nullptr, luminance)));
         case EnvironmentDescription::Kind::sky:
             break;
     }
@@ -85,13 +92,6 @@ LocalLight make_sun(const EnvironmentDescription& d) {
     LocalLight light = sun_of(sky_of(d));
     light.to_world = glm::dmat4(rotation_of(d.to_world, "the emitter")) * light.to_world;
     return light;
-}
-
-/// The light says what the channels are; grey light serves any. luminance: whether the film has one channel.
-SceneChannels channels_under(const EnvironmentPtr& light, bool luminance) {
-    if (!light || (light->channels() == 1 && light->wavelengths().empty()))
-        return {.wavelengths = {}, .one_for_grey = luminance};
-    return {.count = light->channels(), .wavelengths = light->wavelengths()};
 }
 
 bool is_curve(const ShapeDescription& d) {
@@ -302,7 +302,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     out.notices = description.notices;
     if (description.environment) {
         made(file, "emitter", [&] {
-            out.scene.set_environment(make(*description.environment, files),
+            out.scene.set_environment(make(*description.environment, description.sensor.luminance, files),
                                       rotation_of(description.environment->to_world, "the emitter"),
                                       description.environment->scale);
         });

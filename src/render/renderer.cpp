@@ -105,7 +105,7 @@ std::vector<Statistics> Renderer::render(const Scene& scene, std::span<const Vie
         if (target.channels() != scene.channels() && !is_grey_of(scene, target)) {
             refuse("the framebuffer has " + std::to_string(target.channels()) +
                    " colour channels and the scene " + std::to_string(scene.channels()) +
-                   "; they must agree, or be 1 and 3 for the luminance");
+                   "; give it those of nicol_scene_get_channels(), or one for the luminance of three");
         }
         check(options, scene, target.width(), target.height());
         common.views.push_back(project(view.camera, target.width(), target.height()));
@@ -382,8 +382,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     };
     // A host keeps the names of its framebuffers' textures, so its images are drawn where they are. Nobody
     // else reads a framebuffer of the renderer's own.
-    const bool in_place = in_host || &target == colours_.get() || &target == spare_.get();
-    if (in_place) {
+    if (in_host || &target == colours_.get() || &target == spare_.get()) {
         put(target, [&] { draw_into(target); });
     } else {
         Framebuffer& image = spare_of(target);

@@ -322,3 +322,33 @@ TEST_CASE("curves of a scene file become tubes, and the case of a shape's name d
     CHECK(glm::distance(low, glm::dvec3(4.9, -0.1, -0.1)) < 1e-3);
     CHECK(glm::distance(high, glm::dvec3(7.1, 0.1, 2.1)) < 1e-3);
 }
+
+TEST_CASE("a scene without colours has one channel under a film of luminance") {
+    const auto constant = [](const std::string& radiance) {
+        return "<emitter type='constant'>" + radiance + "</emitter>\n";
+    };
+    const std::string grey = constant("<rgb name='radiance' value='0.5'/>"),
+                      coloured = constant("<rgb name='radiance' value='0.5, 0.4, 0.3'/>"),
+                      grey_shape = "<shape type='sphere'><bsdf type='diffuse'/></shape>\n",
+                      red_shape =
+                          "<shape type='sphere'><bsdf type='diffuse'>"
+                          "<rgb name='reflectance' value='0.5, 0.1, 0.1'/></bsdf></shape>\n";
+    struct Row {
+        std::string content;
+        int channels;
+    };
+    for (const Row& row : {Row{grey_shape, 1}, Row{grey + grey_shape, 1}, Row{coloured + grey_shape, 3},
+                           Row{grey + red_shape, 3}, Row{grey + grey_shape + red_shape, 3},
+                           Row{constant("<spectrum name='radiance' value='5'/>") + grey_shape, 3}}) {
+        CAPTURE(row.content);
+        for (const bool luminance : {false, true}) {
+            CAPTURE(luminance);
+            const std::string format = luminance ? "luminance" : "rgb";
+            const SceneFile file(
+                scene("<sensor type='perspective'><float name='fov' value='40'/>"
+                      "<film type='hdrfilm'><string name='pixel_format' value='" +
+                      format + "'/></film></sensor>\n" + row.content));
+            CHECK(load_scene(file.scene(), {}).scene.channels() == (luminance ? row.channels : 3));
+        }
+    }
+}
