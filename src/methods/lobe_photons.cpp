@@ -241,14 +241,17 @@ private:
             if ((lit >> i & 1) != 0) scatter(*starts[i], light, i, i * kGroups + group, probability, out);
     }
 
-    // Returns the cone of the target as a start sees it; none: the target is near, or there is none.
+    // Returns the cone of the target as a start sees it; none: the target is near, below the horizon or too
+    // far to have a solid angle, or there is none.
     [[nodiscard]] std::optional<AimedCone> aim_of(const Start& start) const {
         const Target& target = targets_[start.range];
         const glm::dvec3 way = target.middle - start.at.position;
         const double distance = glm::length(way);
         if (!(target.radius > 0) || distance < kFarTarget * target.radius) return std::nullopt;
         const double sine = target.radius / distance;
-        return AimedCone{.axis = glm::normalize(way * start.frame), .cosine = std::sqrt(1 - sine * sine)};
+        const AimedCone cone{.axis = glm::normalize(way * start.frame), .cosine = std::sqrt(1 - sine * sine)};
+        if (cone.axis.z <= -sine || !(cone.cosine < 1)) return std::nullopt;
+        return cone;
     }
 
     // Sends the light that reaches a start to another surface.

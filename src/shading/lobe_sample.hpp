@@ -21,7 +21,7 @@ struct LobeChoice {
 /// Cone of directions, in the surface's frame, that half of the choices are taken from, evenly.
 struct AimedCone {
     glm::dvec3 axis;  ///< unit vector
-    double cosine;    ///< of the angle between axis and edge
+    double cosine;    ///< of the angle between axis and edge, below 1
 };
 
 /// Returns the direction towards the light, in the surface's frame, and writes to out[channel] the matrix
