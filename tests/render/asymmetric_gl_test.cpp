@@ -165,9 +165,9 @@ TEST_CASE("rays see all of a material without mirror symmetry") {
         // Measured gold is noisier: 2.5 % of s0, where the synthetic material has 0.2 %.
         const double most = &matrix == &matrices(order).front() ? 0.0125 : 0.03;
         ReferenceStatistics statistics;
-        const StokesImage image = render_reference(
-            scene_of(psh_matrix_material({matrix}), light), project(camera_above(), kPixels, kPixels),
-            kPixels, kPixels, {.samples = 2048, .shadows = false}, statistics);
+        const StokesImage image = render_reference(scene_of(psh_matrix_material({matrix}), light),
+                                                   project(camera_above(), kPixels, kPixels), kPixels,
+                                                   kPixels, {.samples = 2048, .shadows = false}, statistics);
         check_errors(image, truth(matrix, light->project(order)), most);
     }
 }
