@@ -229,7 +229,9 @@ TEST_CASE("options and framebuffers that do not fit are refused") {
     };
     for (const auto& [low, high] : {std::pair(-1, 9), {33, 33}, {5, 4}})
         refuses({.order_low = low, .order_high = high}, target);
-    refuses({}, coloured);
+    check_error(
+        ErrorCode::invalid_argument, CALL(renderer.render(scene, camera_at({0, 0, 3}), {}, coloured)),
+        "the framebuffer has 3 colour channels and the scene 1; give it those of nicol_scene_get_channels()");
     Framebuffer foreign(gl::make_context(gl::Backend::osmesa), 8, 8, 1);
     refuses({}, foreign);
     CHECK_THROWS_AS(Framebuffer(context, 0, 8, 1), Error);
