@@ -133,7 +133,7 @@ IMAGE_TEST_CASE("what a further view shows is baked with it, and all the rest on
 }
 
 IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes nearer") {
-    Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
+    Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
     scene.add({.mesh = test::rectangle(32), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
     // Images with a mirror need all vertices, but what it shows is no nearer than the mirror.
     SUBCASE("of a scene without smooth surfaces") {}
@@ -146,7 +146,7 @@ IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes neare
     options.refine_tolerance = 0.005;
     options.max_vertices = 100000;
     const Camera far = camera_at({0, 3, 6}), near = camera_at({0, 2, 4});
-    Studio small(context, 32, 24), large(context, 320, 240), fresh(context, 32, 24);
+    Studio small(context, 32, 24), large(context, 640, 480), fresh(context, 32, 24);
     static_cast<void>(small(scene, options, far));
     const std::uint64_t added = small.statistics.vertices_added;
     static_cast<void>(large(scene, options, far));
@@ -407,7 +407,7 @@ IMAGE_TEST_CASE("a mirror or glass matters to an image that shows it") {
                  {"glass behind", thin_dielectric({}), {0, -0.2, -2}, false}};
     for (const auto& each : cases) {
         CAPTURE(each.name);
-        Scene scene = scene_of(bumpy_sphere(0.5), 0.5, 1);
+        Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
         scene.add({.mesh = test::coarse_sphere(4),
                    .material = each.material,
                    .to_world = test::at(each.place.x, each.place.y, each.place.z, 0.1)});
