@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "specular/high_order_gains.hpp"
+#include "harmonics/order_gains.hpp"
 
 namespace nicol {
 

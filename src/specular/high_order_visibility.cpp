@@ -7,9 +7,9 @@
 #include <string>
 
 #include "error.hpp"
+#include "harmonics/order_gains.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "specular/high_order_gains.hpp"
 
 namespace nicol {
 namespace {

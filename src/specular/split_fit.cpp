@@ -12,10 +12,10 @@
 #include "error.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/light_layout.hpp"
+#include "harmonics/order_gains.hpp"
 #include "harmonics/psh.hpp"
 #include "material/matrix_rows.hpp"
 #include "specular/high_order_factors.hpp"
-#include "specular/high_order_gains.hpp"
 
 namespace nicol {
 namespace {

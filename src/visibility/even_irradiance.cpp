@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "harmonics/order_gains.hpp"
 #include "harmonics/psh.hpp"
 
 namespace nicol {
@@ -17,13 +18,11 @@ constexpr double kMost = 3;
 }  // namespace
 
 std::vector<double> zonal_irradiance(int order) {
+    const OrderGains gains = cosine_gains(0, order);
     std::vector<double> out;
-    // The integral of P_l(z) z over the upper half: pi, pi / 4, and so on by the ratio of l - 1 and l + 4.
-    double integral = 1;
-    for (int l = 0; l <= order; l += 2) {
-        out.push_back(std::sqrt((2 * l + 1) / (4 * std::numbers::pi)) * integral);
-        integral *= (1.0 - l) / (l + 4);
-    }
+    out.reserve(gains.size() / 2 + 1);
+    for (std::size_t l = 0; l < gains.size(); l += 2)
+        out.push_back(std::sqrt((2 * static_cast<double>(l) + 1) / (4 * std::numbers::pi)) * gains[l]);
     return out;
 }
 

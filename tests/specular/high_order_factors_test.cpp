@@ -2,6 +2,7 @@
 // Tests of the filters, kernels and factors of high orders.
 #include "specular/high_order_factors.hpp"
 #include "harmonics/grid.hpp"
+#include "harmonics/order_gains.hpp"
 #include "harmonics/random_operators.hpp"
 #include "material/chiral_material.hpp"
 #include "material/conductor.hpp"
@@ -9,7 +10,6 @@
 #include "material/material_projection.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "specular/convolution_kernel.hpp"
-#include "specular/high_order_gains.hpp"
 #include "specular/split_fit.hpp"
 #include "test.hpp"
 

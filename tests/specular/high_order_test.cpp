@@ -2,8 +2,8 @@
 #include "specular/high_order.hpp"
 
 #include "directions.hpp"
+#include "harmonics/order_gains.hpp"
 #include "material/brute_force.hpp"
-#include "specular/high_order_gains.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_scene.hpp"
 #include "specular/split_fit.hpp"

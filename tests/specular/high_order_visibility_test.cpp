@@ -3,8 +3,8 @@
 
 #include <numeric>
 
+#include "harmonics/order_gains.hpp"
 #include "harmonics/scalar_harmonics.hpp"
-#include "specular/high_order_gains.hpp"
 #include "test.hpp"
 
 using namespace nicol;

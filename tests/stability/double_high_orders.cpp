@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "harmonics/order_gains.hpp"
 #include "harmonics/scalar_harmonics.hpp"
-#include "specular/high_order_gains.hpp"
 #include "specular/look_up.hpp"
 #include "stability/double_transfer.hpp"
 

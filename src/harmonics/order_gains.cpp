@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "specular/high_order_gains.hpp"
+#include "harmonics/order_gains.hpp"
 
 #include <cmath>
 #include <string>
