@@ -18,13 +18,14 @@ struct Box {
 
     bool operator==(const Box&) const = default;
     [[nodiscard]] bool empty() const { return lower.x > upper.x; }
+    /// Grows the box by a point.
+    void add(const glm::dvec3& place) {
+        lower = glm::min(lower, place);
+        upper = glm::max(upper, place);
+    }
     /// Grows the box by all vertices of a mesh.
     void add(const Mesh& mesh, const glm::dmat4& to_world) {
-        for (const glm::vec3& position : mesh.positions) {
-            const glm::dvec3 place(to_world * glm::dvec4(position, 1));
-            lower = glm::min(lower, place);
-            upper = glm::max(upper, place);
-        }
+        for (const glm::vec3& position : mesh.positions) add(glm::dvec3(to_world * glm::dvec4(position, 1)));
     }
 };
 

@@ -8,10 +8,10 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "geometry/box.hpp"
 #include "material/followed_terms.hpp"
 #include "material/mixed_terms.hpp"
 #include "material/spatial_variation.hpp"
+#include "methods/photon_targets.hpp"
 #include "methods/receiver_areas.hpp"
 #include "polarization/moved_axis.hpp"
 #include "polarization/mueller.hpp"
@@ -52,37 +52,6 @@ struct Start {
     double area;        // that the path stands for
 };
 
-/// Ball around the receivers that links join with the surfaces of a range.
-struct Target {
-    glm::dvec3 middle{0.0};
-    double radius = -1;  // negative: there are none
-};
-
-// Least distance of a target, in its radii, at which photons are aimed. From closer places, lobes meet it
-// often enough.
-constexpr double kFarTarget = 2;
-
-// Returns the target of each range.
-std::vector<Target> targets_of(const WorldGeometry& geometry, const LinkedSurfaces& surfaces) {
-    std::vector<Box> boxes(geometry.ranges.size());
-    for (const SurfaceLink& link : surfaces.links()) {
-        const glm::dvec3 place(geometry.positions[surfaces.vertices()[link.receiver]]);
-        Box& box = boxes[range_of(geometry, geometry.triangles[link.triangle].x)];
-        box.lower = glm::min(box.lower, place);
-        box.upper = glm::max(box.upper, place);
-    }
-    std::vector<Target> out;
-    out.reserve(boxes.size());
-    for (const Box& box : boxes) {
-        if (box.empty())
-            out.emplace_back();
-        else
-            out.push_back({.middle = 0.5 * (box.lower + box.upper),
-                           .radius = 0.5 * glm::length(box.upper - box.lower)});
-    }
-    return out;
-}
-
 // Returns the point of [0, 1)^2 that chooses a path's facet. Each block of a power of two of consecutive
 // paths fills the square evenly, in an order unlike that of the places where they begin.
 glm::dvec2 facet_point(std::size_t path) {
@@ -114,6 +83,7 @@ public:
         points_ = &*points;
         present_ = baked.present;
         areas_ = areas_of_receivers(input_.geometry, surfaces_, present_);
+        targets_.emplace(input_.geometry, surfaces_);
         nearest_.emplace(*input_.directions);
         std::vector<Arrivals> out(kGroups);
         run.workers.for_blocks(kGroups, "relight", run.progress, [&](std::size_t first, std::size_t last) {
@@ -127,7 +97,6 @@ private:
     // because other places are seen by few receivers.
     void find_starts() {
         const WorldGeometry& geometry = input_.geometry;
-        targets_ = targets_of(geometry, surfaces_);
         layers_.resize(geometry.ranges.size());
         std::vector<double> shares;  // of the light along the normal that narrow lobes reflect
         for (const TriangleBatch& batch : triangle_batches(geometry)) {
@@ -241,19 +210,6 @@ private:
             if ((lit >> i & 1) != 0) scatter(*starts[i], light, i, i * kGroups + group, probability, out);
     }
 
-    // Returns the cone of the target as a start sees it; none: the target is near, below the horizon or too
-    // far to have a solid angle, or there is none.
-    [[nodiscard]] std::optional<AimedCone> aim_of(const Start& start) const {
-        const Target& target = targets_[start.range];
-        const glm::dvec3 way = target.middle - start.at.position;
-        const double distance = glm::length(way);
-        if (!(target.radius > 0) || distance < kFarTarget * target.radius) return std::nullopt;
-        const double sine = target.radius / distance;
-        const AimedCone cone{.axis = glm::normalize(way * start.frame), .cosine = std::sqrt(1 - sine * sine)};
-        if (cone.axis.z <= -sine || !(cone.cosine < 1)) return std::nullopt;
-        return cone;
-    }
-
     // Sends the light that reaches a start to another surface.
     void scatter(const Start& start, const LaneLight& light, std::size_t lane, std::size_t path,
                  double probability, Arrivals& out) const {
@@ -272,8 +228,8 @@ private:
         muellers.resize(channels);
         const LobeChoice choice{.lobe = sample_seed(static_cast<std::uint32_t>(path), 1) * 0x1p-32,
                                 .facet = facet_point(path)};
-        const glm::dvec3 to =
-            scatter_by_lobes(layers_[start.range], weights, from, choice, aim_of(start), muellers);
+        const std::optional<AimedCone> aim = targets_->seen_from(start.range, start.at.position, start.frame);
+        const glm::dvec3 to = scatter_by_lobes(layers_[start.range], weights, from, choice, aim, muellers);
         if (!(to.z > 0)) return;
         const glm::dvec3 direction = glm::normalize(start.frame * to);
         const double facing = glm::dot(direction, start.at.facet);
@@ -355,10 +311,10 @@ private:
     Presence present_;
     Viewpoint frames_ = link_frames();
     std::vector<std::vector<FollowedLayer>> layers_;                    // [range]
-    std::vector<Target> targets_;                                       // [range]
     FocusingSurface starts_{.range = 0, .triangles = {}, .areas = {}};  // with shares in place of areas
     const SurfacePoints* points_ = nullptr;
     std::vector<double> areas_;  // [receiver]
+    std::optional<PhotonTargets> targets_;
 };
 
 }  // namespace
