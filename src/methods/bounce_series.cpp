@@ -42,9 +42,11 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
         std::fill_n(out.at(first + i), numbers * lanes, Lanes{});
     }
     const std::span<Lanes> stokes = work_space<Bounce, Lanes>(kLanes * components * lanes);
-    // Irradiance over pi, [receiver][Lanes of columns].
-    const std::span<Lanes> irradiance = work_space<ArrivingIrradiance, Lanes>(kLanes * lanes);
-    std::ranges::fill(irradiance, Lanes{});
+    const Arrived arrived{.first = first,
+                          .normals = normals,
+                          .irradiance = work_space<ArrivingIrradiance, Lanes>(kLanes * lanes),
+                          .light = out};
+    std::ranges::fill(arrived.irradiance, Lanes{});
     const std::size_t coarse_batches = surfaces_.coarse_batches(block).size();
     const std::span batches = surfaces_.batches(block);
     for (std::size_t b = 0; b < (only_coarse ? coarse_batches : batches.size()); ++b) {
@@ -54,16 +56,13 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
         leave(batches[b], coarse, stokes.data());
         for (std::size_t i = 0; i < batches[b].count; ++i) {
             const SurfaceLink& link = surfaces_.links()[batches[b].first + i];
-            const float solid_angle = only_coarse ? link.coarse_solid_angle : link.solid_angle;
-            const Lanes* const arrived = &stokes[i * arriving * lanes];
-            arrival_.add(link.direction, {.scalar = solid_angle, .polarized = link.coarse_solid_angle},
-                         arriving, lanes, arrived, out.at(link.receiver));
-            const std::size_t receiver = link.receiver - first;
-            add_irradiance(link.direction, solid_angle, normals[receiver], {arrived, lanes},
-                           &irradiance[receiver * lanes]);
+            add(link.direction, link.receiver,
+                {.scalar = only_coarse ? link.coarse_solid_angle : link.solid_angle,
+                 .polarized = link.coarse_solid_angle},
+                arriving, &stokes[i * arriving * lanes], arrived);
         }
     }
-    if (photons != nullptr) add_photons(block, *photons, channels, components, normals, irradiance, out);
+    if (photons != nullptr) add_photons(block, *photons, channels, components, arrived);
     const bool scalar = numbers == scalar_layout_.size();
     const LightLayout& layout = scalar ? scalar_layout_ : layout_;
     const FrameRotation& rotation = scalar ? scalar_rotation_ : rotation_;
@@ -75,25 +74,29 @@ void Bounce::arrive(std::size_t block, bool only_coarse, std::size_t components,
     add_mirror_image(layout, light, 0);
     for (std::size_t c = 0; c < out.columns(); ++c) {
         Lanes of_column{};
-        for (std::size_t i = 0; i < count; ++i) of_column[i] = irradiance[i * lanes + c / kLanes][c % kLanes];
+        for (std::size_t i = 0; i < count; ++i)
+            of_column[i] = arrived.irradiance[i * lanes + c / kLanes][c % kLanes];
         irradiance_.set(of_column, light.block(0, static_cast<int>(c)));
     }
     rotation.into_world(normals_of, light, 0);
     put_columns(light, 0, first, out);
 }
 
-void Bounce::add_irradiance(std::size_t direction, float solid_angle, const glm::vec3& normal,
-                            std::span<const Lanes> s0, Lanes* irradiance) const {
-    const float cosine = glm::dot(directions_.directions()[direction], normal);
-    const float factor = std::max(0.0F, cosine) * solid_angle / std::numbers::pi_v<float>;
-    for (std::size_t k = 0; k < s0.size(); ++k)
-        for (std::size_t i = 0; i < kLanes; ++i) irradiance[k][i] += factor * s0[k][i];
+void Bounce::add(std::size_t direction, std::size_t receiver, const ArrivingLight::SolidAngles& solid_angles,
+                 std::size_t components, const Lanes* stokes, const Arrived& out) const {
+    const std::size_t lanes = out.light.lanes();
+    arrival_.add(direction, solid_angles, components, lanes, stokes, out.light.at(receiver));
+    const std::size_t in_block = receiver - out.first;
+    const float cosine = glm::dot(directions_.directions()[direction], out.normals[in_block]);
+    const float factor = std::max(0.0F, cosine) * solid_angles.scalar / std::numbers::pi_v<float>;
+    Lanes* const irradiance = &out.irradiance[in_block * lanes];
+    for (std::size_t k = 0; k < lanes; ++k)
+        for (std::size_t i = 0; i < kLanes; ++i) irradiance[k][i] += factor * stokes[k][i];
 }
 
 void Bounce::add_photons(std::size_t block, const LobePhotons& photons, std::span<const std::size_t> channels,
-                         std::size_t components, std::span<const glm::vec3> normals,
-                         std::span<Lanes> irradiance, LightColumns& out) const {
-    const std::size_t lanes = out.lanes();
+                         std::size_t components, const Arrived& out) const {
+    const std::size_t lanes = out.light.lanes();
     const std::span<Lanes> stokes = work_space<LobePhotons, Lanes>(components * lanes);
     for (std::size_t k = photons.first(block); k < photons.last(block); ++k) {
         std::ranges::fill(stokes, Lanes{});
@@ -102,11 +105,7 @@ void Bounce::add_photons(std::size_t block, const LobePhotons& photons, std::spa
                 stokes[p * lanes + c / kLanes][c % kLanes] =
                     photons.stokes(k, channels[c])[static_cast<glm::length_t>(p)];
         const LobePhotons::Part& part = photons.part(k);
-        arrival_.add(part.direction, {.scalar = 1, .polarized = 1}, components, lanes, stokes.data(),
-                     out.at(part.receiver));
-        const std::size_t receiver = part.receiver - block * kLanes;
-        add_irradiance(part.direction, 1, normals[receiver], stokes.first(lanes),
-                       &irradiance[receiver * lanes]);
+        add(part.direction, part.receiver, {.scalar = 1, .polarized = 1}, components, stokes.data(), out);
     }
 }
 

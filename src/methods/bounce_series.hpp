@@ -71,13 +71,19 @@ private:
     void arrive(std::size_t block, bool only_coarse, std::size_t components, LightColumns& out,
                 const Leave& leave, const LobePhotons* photons = nullptr,
                 std::span<const std::size_t> channels = {}) const;
-    /// Adds photons to the light that arrives at a block of receivers. irradiance: see arrive().
+    /// Light that arrives at a block of receivers.
+    struct Arrived {
+        std::size_t first;  ///< receiver
+        std::span<const glm::vec3> normals;
+        std::span<Lanes> irradiance;  ///< over pi, [receiver of the block][Lanes of columns]
+        LightColumns& light;
+    };
+    /// Adds light from a direction to what arrives at a receiver, see ArrivingLight::add().
+    void add(std::size_t direction, std::size_t receiver, const ArrivingLight::SolidAngles& solid_angles,
+             std::size_t components, const Lanes* stokes, const Arrived& out) const;
+    /// Adds photons to the light that arrives at a block of receivers.
     void add_photons(std::size_t block, const LobePhotons& photons, std::span<const std::size_t> channels,
-                     std::size_t components, std::span<const glm::vec3> normals, std::span<Lanes> irradiance,
-                     LightColumns& out) const;
-    /// Adds s0 from a direction to the irradiance over pi of a surface.
-    void add_irradiance(std::size_t direction, float solid_angle, const glm::vec3& normal,
-                        std::span<const Lanes> s0, Lanes* irradiance) const;
+                     std::size_t components, const Arrived& out) const;
     /// Adds what leaves along the links of a batch of light at vertices and of bounced light at receivers, of
     /// which one may be null.
     void add_reflected(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, bool only_coarse,
