@@ -230,7 +230,10 @@ void OrderSelector::measure_shadows(const SurfaceState& surfaces) {
     const VertexWeights vertices(geometry, surfaces.baked);
     std::map<std::vector<std::uint32_t>, Shadowed> former;
     if (shadowed_versions_ == surfaces.versions)
-        for (const auto& [material, shadowed] : shadowed_) former.emplace(shadowed.sample, shadowed);
+        for (auto& [material, shadowed] : shadowed_) {
+            std::vector<std::uint32_t> sample = shadowed.sample;
+            former.emplace(std::move(sample), std::move(shadowed));
+        }
     shadowed_.clear();
     shadowed_versions_ = {};
     for (const auto& [material, group] : vertices.groups()) {
