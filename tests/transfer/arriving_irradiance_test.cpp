@@ -10,6 +10,7 @@
 
 #include "harmonics/evaluate.hpp"
 #include "polarization/viewpoint.hpp"
+#include "test.hpp"
 #include "transfer/arriving_light.hpp"
 
 using namespace nicol;
