@@ -7,7 +7,10 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <unordered_map>
+
+#include "visibility/hidden_light.hpp"
 
 namespace nicol {
 namespace {
@@ -16,6 +19,11 @@ namespace {
 // sees, where their normals are equal; and largest sqrt(1 - cos(angle)) of the normals at one place.
 constexpr float kReach = 0.3F;
 constexpr float kBend = 0.4F;
+// Largest difference of the light that surfaces hide from both, relative to the larger one and kLittleHidden.
+// Bounced light comes from the directions of hidden light. A receiver that sees distant surfaces alone
+// reaches far, and some of the vertices that it reaches see much more of them.
+constexpr float kUnlike = 0.5F;
+constexpr float kLittleHidden = 0.05F;
 // Vertices per receiver at least. The reach of receivers grows by a factor, a few times at most, while there
 // are fewer.
 constexpr std::size_t kVerticesOfReceiver = 4;
@@ -23,22 +31,34 @@ constexpr std::size_t kFewReceivers = 2048;  // that may be any share of the ver
 constexpr float kGrowth = 1.5F;
 constexpr int kMostGrowths = 4;
 
+/// What Ward's condition asks of a vertex.
+struct Place {
+    glm::vec3 position, normal;
+    glm::vec4 hidden;  // see HiddenLight
+};
+
+float difference_of(const Place& a, const Place& b) {
+    const auto difference = static_cast<float>(HiddenLight::magnitude(a.hidden - b.hidden));
+    return std::sqrt(std::max(0.0F, 1 - glm::dot(a.normal, b.normal))) / kBend +
+           difference / (kUnlike * (std::max(a.hidden.x, b.hidden.x) + kLittleHidden));
+}
+
 /// Receivers by the places that they reach.
 class ReceiverGrid {
 public:
-    /// scale: of both bounds.
+    /// scale: of all bounds.
     explicit ReceiverGrid(float scale) : scale_(scale) {}
 
-    void add(std::uint32_t receiver, const glm::vec3& position, const glm::vec3& normal, float distance) {
-        entries_.push_back({receiver, position, normal, 1 / distance});
+    void add(std::uint32_t receiver, const Place& place, float distance) {
+        entries_.push_back({receiver, place, 1 / distance});
         const float reach = scale_ * kReach * distance;
         if (!(reach > 0)) return;
         // A cell of twice the reach, so that the sphere around the position lies in eight cells.
         const int level = std::ilogb(reach) + 2;
         if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
         const float size = std::ldexp(1.0F, level);
-        const Cell low = cell_of(position - reach, size, level),
-                   high = cell_of(position + reach, size, level);
+        const Cell low = cell_of(place.position - reach, size, level),
+                   high = cell_of(place.position + reach, size, level);
         const auto index = static_cast<std::uint32_t>(entries_.size() - 1);
         for (std::int64_t x = low.x; x <= high.x; ++x)
             for (std::int64_t y = low.y; y <= high.y; ++y)
@@ -51,30 +71,30 @@ public:
     /// of the receivers' places is the point itself, so that light which changes evenly is interpolated
     /// right.
     template <class Found>
-    void near(const glm::vec3& position, const glm::vec3& normal, const Found& found) const {
+    void near(const Place& place, const Found& found) const {
         for (const int level : levels_) {
-            const auto cell = cells_.find(cell_of(position, std::ldexp(1.0F, level), level));
+            const auto cell = cells_.find(cell_of(place.position, std::ldexp(1.0F, level), level));
             if (cell == cells_.end()) continue;
             for (const std::uint32_t index : cell->second) {
                 const Entry& entry = entries_[index];
+                const float distance = glm::length(place.position - entry.place.position);
                 const float away =
-                    glm::length(position - entry.position) * entry.nearness / (scale_ * kReach) +
-                    std::sqrt(std::max(0.0F, 1 - glm::dot(normal, entry.normal))) / (scale_ * kBend);
+                    (distance * entry.nearness / kReach + difference_of(place, entry.place)) / scale_;
                 if (away < 1) found(entry.receiver, (1 - away) * entry.nearness * entry.nearness);
             }
         }
     }
 
-    [[nodiscard]] bool reaches(const glm::vec3& position, const glm::vec3& normal) const {
+    [[nodiscard]] bool reaches(const Place& place) const {
         bool any = false;
-        near(position, normal, [&](std::uint32_t /*receiver*/, float /*weight*/) { any = true; });
+        near(place, [&](std::uint32_t /*receiver*/, float /*weight*/) { any = true; });
         return any;
     }
 
 private:
     struct Entry {
         std::uint32_t receiver;
-        glm::vec3 position, normal;
+        Place place;
         float nearness;  // inverse distance of the surfaces around
     };
     struct Cell {
@@ -113,6 +133,29 @@ std::vector<std::uint32_t> shuffled(const Visibility& visibility) {
     return out;
 }
 
+/// Places of vertices.
+class Places {
+public:
+    Places(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
+           std::span<const std::uint32_t> occluded)
+        : positions_(geometry.positions), normals_(search.normals()), hidden_(normals_.size()) {
+        const HiddenLight hidden(search.directions());
+        tbb::parallel_for(std::size_t{0}, occluded.size(), [&](std::size_t k) {
+            const std::uint32_t v = occluded[k];
+            hidden_[v] = hidden.at(visibility, v, normals_[v]);
+        });
+    }
+
+    [[nodiscard]] Place at(std::uint32_t vertex) const {
+        return {positions_[vertex], normals_[vertex], hidden_[vertex]};
+    }
+
+private:
+    std::span<const glm::vec3> positions_;
+    std::span<const glm::vec3> normals_;
+    std::vector<glm::vec4> hidden_;
+};
+
 // Keeps the receivers of largest weight with smooth weights: each is the weight beyond the largest that is
 // left out, so that it is 0 where another receiver takes its place.
 Receivers::Blend blend_of(std::vector<std::pair<float, std::uint32_t>>& near) {
@@ -143,11 +186,11 @@ struct Choice {
 };
 
 // former: receivers of a choice with a smaller scale, whose links the new choice takes over.
-Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<const std::uint32_t> order,
+Choice choose(const Places& places, const LinkSearch& search, std::span<const std::uint32_t> order,
               float scale, std::size_t limit, Choice former, const BakeProgress& progress) {
     constexpr std::size_t least = 64, most = 4096;  // vertices that are examined together
-    const std::span normals = search.normals();
-    std::vector<std::uint32_t> found(normals.size(), kNoVertex);  // index in former of each of its vertices
+    std::vector<std::uint32_t> found(search.normals().size(),
+                                     kNoVertex);  // index in former of each of its vertices
     for (std::size_t k = 0; k < former.receivers.size(); ++k)
         found[former.receivers[k].vertex] = static_cast<std::uint32_t>(k);
     Choice out;
@@ -157,7 +200,7 @@ Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<
     for (std::size_t first = 0; first < order.size();) {
         if (progress) progress(static_cast<double>(first) / static_cast<double>(order.size()));
         const std::size_t count = std::min({std::max(least, first), most, order.size() - first});
-        const auto reached = [&](std::uint32_t v) { return grid.reaches(geometry.positions[v], normals[v]); };
+        const auto reached = [&](std::uint32_t v) { return grid.reaches(places.at(v)); };
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
             const std::uint32_t v = order[first + k];
             links[k].clear();
@@ -173,7 +216,7 @@ Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t v = order[first + k];
             if (links[k].empty() || reached(v)) continue;
-            grid.add(0, geometry.positions[v], normals[v], distances[k]);
+            grid.add(0, places.at(v), distances[k]);
             out.receivers.push_back({v, distances[k], std::move(links[k])});
         }
         out.complete = out.receivers.size() <= limit;
@@ -189,15 +232,15 @@ Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<
 
 Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
                          const BakeProgress& progress) {
-    const std::span normals = search.normals();
     const std::vector<std::uint32_t> order = shuffled(visibility);
+    const Places places(geometry, search, visibility, order);
     const std::size_t few = std::max(kFewReceivers, visibility.vertices() / kVerticesOfReceiver);
     float scale = 1;
-    Choice choice = choose(geometry, search, order, scale, few, {}, progress);
+    Choice choice = choose(places, search, order, scale, few, {}, progress);
     for (int k = 1; !choice.complete; ++k) {
         scale *= kGrowth;
         const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
-        choice = choose(geometry, search, order, scale, limit, std::move(choice), progress);
+        choice = choose(places, search, order, scale, limit, std::move(choice), progress);
     }
     constexpr std::size_t together = 4096;  // receivers between two reports
     std::size_t links = 0;
@@ -217,7 +260,7 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
     for (Choice::Receiver& chosen : choice.receivers) {
         const auto receiver = static_cast<std::uint32_t>(out.vertices.size());
         own[chosen.vertex] = receiver;
-        grid.add(receiver, geometry.positions[chosen.vertex], normals[chosen.vertex], chosen.distance);
+        grid.add(receiver, places.at(chosen.vertex), chosen.distance);
         out.vertices.push_back(chosen.vertex);
         for (SurfaceLink& link : chosen.links) link.receiver = receiver;
         out.links.insert(out.links.end(), chosen.links.begin(), chosen.links.end());
@@ -227,7 +270,7 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
     tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t k) {
         const std::uint32_t v = order[k];
         std::vector<std::pair<float, std::uint32_t>> near;
-        grid.near(geometry.positions[v], normals[v],
+        grid.near(places.at(v),
                   [&](std::uint32_t receiver, float weight) { near.emplace_back(weight, receiver); });
         // A receiver beside a touching surface reaches no place but its own.
         if (near.empty() && own[v] != kNoVertex) near.emplace_back(1.0F, own[v]);

@@ -29,9 +29,9 @@ struct Receivers {
 };
 
 /// Chooses the receivers of a geometry. Each vertex with a link is a receiver, or close to one relative to
-/// the distance of the surfaces that the receiver sees, with a similar normal: the condition of Ward's
-/// irradiance cache. Runs on the calling thread's TBB arena; the result does not depend on the number of
-/// threads.
+/// the distance of the surfaces that the receiver sees, with a similar normal (the condition of Ward's
+/// irradiance cache) and similar hidden light. Runs on the calling thread's TBB arena; the result does not
+/// depend on the number of threads.
 [[nodiscard]] Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
                                        const Visibility& visibility, const BakeProgress& progress = {});
 

@@ -40,6 +40,7 @@ public:
     LinkSearch(const LinkSearch&) = delete;
     LinkSearch& operator=(const LinkSearch&) = delete;
 
+    [[nodiscard]] const DirectionSet& directions() const noexcept { return directions_; }
     /// Unit normals of all vertices.
     [[nodiscard]] std::span<const glm::vec3> normals() const noexcept { return normals_; }
 

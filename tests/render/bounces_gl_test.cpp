@@ -68,8 +68,8 @@ IMAGE_TEST_CASE("surfaces that absorb nothing look like the even light around th
     CHECK(render.statistics.bounce_rounds > 3);
     CHECK(render.statistics.bounced_left < 0.01);
     // Light that few orders lose in each bounce would be missing.
-    CHECK(std::abs(mean_s0(image) - 1) < 0.0125);
-    CHECK(distance_from(image, 1) < 0.15);
+    CHECK(std::abs(mean_s0(image) - 1) < 0.004);
+    CHECK(distance_from(image, 1) < 0.1);
     CHECK(distance_from(render(scene, bouncing(2)), 1) > 0.3);
 }
 

@@ -4,10 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
+
+#include "visibility/hidden_light.hpp"
 
 using namespace nicol;
 
@@ -30,7 +33,7 @@ struct Corner {
         std::iota(sides.fronts.begin(), sides.fronts.end(), 0U);
         for (std::size_t v = 0; bent && v < normals.size(); ++v) {
             const auto angle = static_cast<float>(v);
-            normals[v] = glm::normalize(normals[v] + 0.6F * glm::vec3(std::cos(angle), std::sin(angle), 0));
+            normals[v] = glm::normalize(normals[v] + 0.2F * glm::vec3(std::cos(angle), std::sin(angle), 0));
         }
     }
     void add(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v) {
@@ -78,9 +81,13 @@ TEST_CASE("receivers are few, and denser near other surfaces") {
     CHECK(far > 0);
 }
 
-TEST_CASE("vertices blend receivers of their own surface that are near, relative to what these see") {
+TEST_CASE("vertices blend receivers of their own surface that are near, and see about as much of others") {
     const Chosen chosen;
     const Receivers& receivers = chosen.receivers;
+    const HiddenLight hidden(chosen.directions);
+    const auto hidden_at = [&](std::uint32_t v) {
+        return hidden.at(chosen.visibility, v, chosen.corner.normals[v]);
+    };
     std::map<std::uint32_t, float> lengths;
     std::vector<SurfaceLink> links;
     for (const std::uint32_t v : receivers.vertices) lengths[v] = chosen.search.find(v, links);
@@ -98,7 +105,10 @@ TEST_CASE("vertices blend receivers of their own surface that are near, relative
             CHECK(blend.weights[k] > 0);
             const std::uint32_t from = receivers.vertices[blend.receivers[k]];
             const float distance = glm::length(chosen.corner.positions[v] - chosen.corner.positions[from]);
-            CHECK(distance <= 0.4F * lengths[from]);
+            const glm::vec4 seen = hidden_at(v), seen_from = hidden_at(from);
+            const double unlike =
+                HiddenLight::magnitude(seen - seen_from) / double{std::max(seen.x, seen_from.x) + 0.05F};
+            CHECK(double{distance} / (0.3 * double{lengths[from]}) + 2 * unlike <= 1.001);
             CHECK(chosen.corner.normals[v] == chosen.corner.normals[from]);
             if (from == v) ++exact;
         }
