@@ -140,7 +140,7 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         // Fits of high orders would take longer than they save.
         Orders best = orders;
         for (Orders better : candidates) {
-            if (cost_of(better) > (1 + kNegligible) * cost_of(orders)) break;
+            if (kRestOfFrame + cost_of(better) > (1 + kNegligible) * (kRestOfFrame + cost_of(orders))) break;
             if (better.high > better.low) continue;
             better.error = error(better.low, better.high, Fit::made);
             if (better.error < best.error) best = better;

@@ -50,13 +50,13 @@ public:
     };
 
     /// Returns the fastest orders for the factored method with a predicted error of at most the options'
-    /// tolerance times order_slack, or better ones that take about as long because local lights take most of
-    /// the time. If there are none, returns those with the least product of squared error and a frame's time
-    /// among orders that err at most half as much again as the best ones. High orders are chosen if their
-    /// form is split. A low order above the options' needs no more than memory_limit bytes in all, and no
-    /// more than kMostBytes of transfer. The error is relative to the reflection of the whole
-    /// environment by whole materials. settled: whether the visibility is final. Otherwise a change of
-    /// vertices or visibility alone changes no orders, so that pictures do not change between two choices.
+    /// tolerance times order_slack, or better ones with which a frame takes about as long. If there are none,
+    /// returns those with the least product of squared error and a frame's time among orders that err at most
+    /// half as much again as the best ones. High orders are chosen if their form is split. A low order above
+    /// the options' needs no more than memory_limit bytes in all, and no more than kMostBytes of transfer.
+    /// The error is relative to the reflection of the whole environment by whole materials. settled: whether
+    /// the visibility is final. Otherwise a change of vertices or visibility alone changes no orders, so that
+    /// pictures do not change between two choices.
     Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces, bool settled,
                   const RenderOptions& options, std::uint64_t memory_limit, KeptProjection& projection);
 
