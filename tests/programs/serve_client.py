@@ -75,6 +75,7 @@ class Server:
         while not condition():
             if time.monotonic() > end or self.process.poll() is not None:
                 raise AssertionError(f"never came: {self.errors()}")
+            time.sleep(0.01)  # leaves the processors to the server
 
     def connect(self, port=None, source=None):
         """Returns a connection. `source` is its local address, any of 127.0.0.0/8."""
