@@ -4,7 +4,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-sh samples/python/wheel.sh
+# The compilers and the options of the tests' build, whose results ccache then has.
+CC=cc CXX=c++ SKBUILD_CMAKE_DEFINE=NICOL_WERROR=ON sh samples/python/wheel.sh
 out=$PWD/build-wheel/wheels
 python=$(sh .ci/peers.sh)
 
