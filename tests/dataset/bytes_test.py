@@ -25,7 +25,7 @@ SINGLES = {
     "exposure": {"percentile": 99, "level": 0.9},
     "write": ["mosaic", "angles", "stokes", "s0", "dolp", "aolp", "depth", "normals", "normals_camera", "positions", "ids", "alpha"],
 }  # fmt: skip
-# Scenes of several views, in which light is reflected from surface to surface, and turns.
+# Scenes of several views, in which light is reflected from surface to surface, and turns. Few directions bake as many do.
 ORBITS = {
     "views": 3,
     "objects": [
@@ -35,7 +35,7 @@ ORBITS = {
     "floor": {"size": 4},
     "light": {"environment": FOREST, "rotation": {"sweep": [0, 90]}, "per": "frame"},
     "camera": {"azimuth": {"sweep": [0, 360]}, "distance": {"uniform": [0.6, 2]}},
-    "render": {"max_depth": 3, "pixel_samples": 4},
+    "render": {"max_depth": 3, "pixel_samples": 4, "bake_directions": 256},
     "write": {"stokes": {"format": "exr", "compression": "none"}, "mosaic": "png", "poses": ["transforms", "llff", "colmap"]},
 }  # fmt: skip
 KILL = """
