@@ -86,14 +86,14 @@ IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without t
         int channels;
     } rows[] = {{"two-sided", twosided(pplastic({.alpha = 0.3})), 1},
                 {"coverage of a coloured texture", diffuse({0.5}), 4}};
-    for (const auto& row : rows)
-        for (const Executor executor : {Executor::cpu, Executor::compute})
+    for (const auto& row : rows) {
+        const Scene cut = board_over(board(true), masked(row.plain, opacity(row.channels)));
+        const Scene lacking = board_over(board(false), row.plain);
+        for (const Executor executor : {Executor::cpu, Executor::compute}) {
+            Studio render(context);
             for (const int samples : {1, 4}) {
                 CAPTURE(row.name);
                 CAPTURE(samples);
-                const Scene cut = board_over(board(true), masked(row.plain, opacity(row.channels)));
-                const Scene lacking = board_over(board(false), row.plain);
-                Studio render(context);
                 Framebuffer actual(context, 96, 72, 3);
                 Framebuffer expected(context, 96, 72, 3);
                 render.renderer.render(lacking, test::some_camera(), options(executor, samples), expected);
@@ -112,6 +112,8 @@ IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without t
                 CHECK(seen > 200);
                 CHECK(other_ids < 10);
             }
+        }
+    }
 }
 
 TEST_CASE("rays pass where a surface is cut out") {

@@ -162,12 +162,14 @@ TEST_CASE("rays see all of a material without mirror symmetry") {
     constexpr int order = 19;
     const EnvironmentPtr light = test::falling_light(4, true, 1);
     for (const IsotropicMatrix& matrix : matrices(order)) {
-        // Measured gold is noisier: 2.5 % of s0, where the synthetic material has 0.2 %.
-        const double most = &matrix == &matrices(order).front() ? 0.0125 : 0.03;
+        // Measured gold is noisier: 1.9 % of s0 in four times as many samples, where the synthetic material
+        // has 0.4 %.
+        const bool synthetic = &matrix == &matrices(order).front();
+        const double most = synthetic ? 0.0125 : 0.03;
         ReferenceStatistics statistics;
-        const StokesImage image = render_reference(scene_of(psh_matrix_material({matrix}), light),
-                                                   project(camera_above(), kPixels, kPixels), kPixels,
-                                                   kPixels, {.samples = 2048, .shadows = false}, statistics);
+        const StokesImage image = render_reference(
+            scene_of(psh_matrix_material({matrix}), light), project(camera_above(), kPixels, kPixels),
+            kPixels, kPixels, {.samples = synthetic ? 512 : 2048, .shadows = false}, statistics);
         check_errors(image, truth(matrix, light->project(order)), most);
     }
 }

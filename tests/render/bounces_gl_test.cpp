@@ -212,7 +212,7 @@ IMAGE_TEST_CASE("narrow lobes send the light of lamps on as by rays") {
             return out;
         };
         const StokesImage truth =
-            bounced(seen, {.method = Method::reference, .samples = 1024, .max_depth = 3});
+            bounced(seen, {.method = Method::reference, .samples = 512, .max_depth = 3});
         const StokesImage image = bounced(scene, bouncing(mirrored ? 4 : 3, 8));
         CHECK(mean_s0(image) / mean_s0(truth) == doctest::Approx(1).epsilon(0.1));
     }

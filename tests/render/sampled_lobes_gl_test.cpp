@@ -54,7 +54,7 @@ IMAGE_TEST_CASE("brushed and nearly smooth surfaces are as by rays") {
                 {"brushed plastic", pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.05, .alpha_v = 0.3}),
                  0.04, 1.5},
                 {"principled", principled({.roughness = 0.4, .anisotropic = 0.9, .metallic = 1}), 0.05, 1.6}};
-    test::Studio studio(context, 48, 36);
+    test::Studio studio(context, 36, 27);
     Camera camera = test::camera_at({1, 1, 4});
     camera.fov = 24;
     // Unpolarized light skips code that polarized light runs, so one material tests it.
@@ -78,7 +78,7 @@ IMAGE_TEST_CASE("brushed and nearly smooth surfaces are as by rays") {
 }
 
 IMAGE_TEST_CASE("a brushed lobe that is narrow in all directions reflects light without an image, too") {
-    test::Studio studio(context, 48, 36);
+    test::Studio studio(context, 36, 27);
     Scene scene;
     scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1), 1);
     scene.add({.mesh = test::fine_sphere(),
