@@ -19,11 +19,12 @@ public:
     EdgeEnds(std::span<const std::uint32_t> places, std::uint32_t place_count)
         : places_(places), at_places_(place_count, 0), at_vertices_(places.size(), 0) {}
     void add(EdgeBisection::Edge edge) { at_places_[edge >> 32] = at_places_[edge & 0xFFFFFFFFU] = 1; }
-    /// Takes over the edges that were added since the last call.
+    /// Takes over the edges that were added since the last call, and forgets those before.
     void update() {
         for (std::size_t v = 0; v < places_.size(); ++v) at_vertices_[v] = at_places_[places_[v]];
+        std::ranges::fill(at_places_, std::uint8_t{0});
     }
-    /// Returns whether a triangle may have one of the edges.
+    /// Returns whether a triangle may have one of the edges of the last update().
     [[nodiscard]] bool on_triangle(const glm::uvec3& t) const {
         return at_vertices_[t.x] + at_vertices_[t.y] + at_vertices_[t.z] >= 2;
     }
@@ -108,20 +109,24 @@ bool EdgeBisection::any_edge(const glm::uvec3& t, const Edges& edges) const {
 void EdgeBisection::close(Edges& edges) const {
     EdgeEnds ends(places_, place_count_);
     edges.edges_.for_each([&ends](Edge edge, std::uint8_t) { ends.add(edge); });
+    std::vector<std::uint8_t> found(triangles_.size(), 0);
+    // Each turn finds the triangles at the edges that the turn before has added.
     for (bool more = true; more;) {
         more = false;
         ends.update();
-        edges.triangles_.clear();
-        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
             const glm::uvec3& t = triangles_[i];
-            if (!ends.on_triangle(t) || !any_edge(t, edges)) continue;
-            edges.triangles_.push_back(i);
+            if (!ends.on_triangle(t) || found[i] != 0 || !any_edge(t, edges)) continue;
+            found[i] = 1;
             const Edge first = longest(t);
             if (!edges.insert(first)) continue;
             ends.add(first);
             more = true;
         }
     }
+    edges.triangles_.clear();
+    for (std::uint32_t i = 0; i < found.size(); ++i)
+        if (found[i] != 0) edges.triangles_.push_back(i);
 }
 
 std::size_t EdgeBisection::cost(const Edges& edges) const {

@@ -13,8 +13,14 @@ namespace nicol {
 
 namespace {
 
-// Returns the area of the triangles with a vertex for which `counts` is true.
-double area_of(const EdgeBisection& mesh, const IsVertex& counts) {
+// Returns whether a triangle has a vertex that counts.
+bool any_counts(const glm::uvec3& t, const IsVertex& counts) {
+    return counts(t.x) || counts(t.y) || counts(t.z);
+}
+
+// Returns the triangles of a mesh with a vertex that counts, both sides of a sheet as one. Empty `counts`:
+// all triangles.
+std::vector<std::size_t> distinct_triangles(const EdgeBisection& mesh, const IsVertex& counts) {
     using Corners = std::array<std::uint32_t, 3>;
     using Counted = std::pair<Corners, std::size_t>;
     const auto corners_of = [](const glm::uvec3& t) {
@@ -28,7 +34,7 @@ double area_of(const EdgeBisection& mesh, const IsVertex& counts) {
     chosen.reserve(mesh.triangles().size());
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
         const glm::uvec3& t = mesh.triangles()[i];
-        if (!counts(t.x) && !counts(t.y) && !counts(t.z)) continue;
+        if (counts && !any_counts(t, counts)) continue;
         chosen.push_back(i);
         ++ends[std::min({t.x, t.y, t.z}) + 1];
     }
@@ -44,23 +50,28 @@ double area_of(const EdgeBisection& mesh, const IsVertex& counts) {
                             [first](const Counted& other) { return other.first[0] != first->first[0]; });
         std::sort(first, last);
     }
-    double area = 0;
-    for (std::size_t k = 0; k < counted.size(); ++k) {
-        if (k > 0 && counted[k].first == counted[k - 1].first) continue;
-        const glm::uvec3& t = mesh.triangles()[counted[k].second];
-        const glm::dvec3 a(mesh.positions()[t.x]);
-        area += glm::length(glm::cross(glm::dvec3(mesh.positions()[t.y]) - a,
-                                       glm::dvec3(mesh.positions()[t.z]) - a)) /
-                2;
-    }
-    return area;
+    std::vector<std::size_t> out;
+    out.reserve(counted.size());
+    for (std::size_t k = 0; k < counted.size(); ++k)
+        if (k == 0 || counted[k].first != counted[k - 1].first) out.push_back(counted[k].second);
+    return out;
 }
 
 }  // namespace
 
 double extent_of_triangles(const EdgeBisection& mesh, const IsVertex& counts, const IsVertex& known) {
-    double area = area_of(mesh, counts);
-    if (known && area > 0) area *= area_of(mesh, [](std::uint32_t) { return true; }) / area_of(mesh, known);
+    double area = 0, all = 0, of_known = 0;
+    for (const std::size_t i : distinct_triangles(mesh, known ? IsVertex() : counts)) {
+        const glm::uvec3& t = mesh.triangles()[i];
+        const glm::dvec3 a(mesh.positions()[t.x]);
+        const double here = glm::length(glm::cross(glm::dvec3(mesh.positions()[t.y]) - a,
+                                                   glm::dvec3(mesh.positions()[t.z]) - a)) /
+                            2;
+        all += here;
+        if (!known || any_counts(t, counts)) area += here;
+        if (known && any_counts(t, known)) of_known += here;
+    }
+    if (known && area > 0) area *= all / of_known;
     return std::sqrt(area);
 }
 
