@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <utility>
 
 #include "render/vertex_weights.hpp"
 #include "visibility/hidden_light.hpp"
@@ -54,15 +55,28 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
     return {.error = std::sqrt(error / irradiance), .brightness = irradiance / weights / all_};
 }
 
+void ShadowError::find_irradiance(const SurfaceState& surfaces) {
+    const std::vector<glm::vec3>& normals = surfaces.geometry.normals;
+    const SurfaceVersions measured = std::exchange(measured_, {});
+    const std::vector<float> before = std::exchange(irradiance_, std::vector<float>(normals.size()));
+    const SurfaceChange* const change =
+        surfaces.change && surfaces.change->before == measured && !before.empty() ? &*surfaces.change
+                                                                                  : nullptr;
+    const HiddenLight hidden(*surfaces.directions);
+    tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
+        const bool kept = change != nullptr && change->former[v] != kNoVertex &&
+                          (change->same_normals.empty() || change->same_normals[v] != 0);
+        irradiance_[v] =
+            kept ? before[change->former[v]] : 1 - hidden.at(*surfaces.visibility, v, normals[v]).x;
+    });
+    measured_ = surfaces.versions;
+}
+
 void ShadowError::measure(const SurfaceState& surfaces) {
+    find_irradiance(surfaces);
+    const std::vector<float>& irradiance = irradiance_;
     const WorldGeometry& geometry = surfaces.geometry;
     const std::size_t vertices = geometry.positions.size();
-    const HiddenLight hidden(*surfaces.directions);
-    std::vector<float> irradiance(vertices);
-    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
-        irradiance[v] = 1 - hidden.at(*surfaces.visibility, v, geometry.normals[v]).x;
-    });
-
     const auto corners = [&](const glm::uvec3& t) {
         return std::array{geometry.positions[t.x], geometry.positions[t.y], geometry.positions[t.z]};
     };

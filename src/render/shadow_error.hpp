@@ -41,9 +41,14 @@ private:
 
     void measure(const SurfaceState& surfaces);
 
+    // Sets irradiance_; takes over what the surfaces have kept since they were measured_.
+    void find_irradiance(const SurfaceState& surfaces);
+
     Stage<SurfaceVersions> measuring_;
-    std::vector<Squares> squares_;  // by triangle; irradiance < 0: not baked
-    double all_ = 1;                // mean square of the irradiance, of all surfaces
+    SurfaceVersions measured_;       // surfaces of irradiance_
+    std::vector<float> irradiance_;  // by vertex
+    std::vector<Squares> squares_;   // by triangle; irradiance < 0: not baked
+    double all_ = 1;                 // mean square of the irradiance, of all surfaces
     double of_all_ = 0;
 };
 

@@ -117,3 +117,45 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
     CHECK(unshadowed.error == 0);
     CHECK(unshadowed.brightness == 1);
 }
+
+TEST_CASE("what a change of shadows keeps is not measured again, and the rest is") {
+    Scene scene;
+    scene.add({.mesh = grid(), .material = diffuse({0.5})});
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const WorldGeometry& geometry = surfaces.geometry();
+    const DirectionSet directions(1024);
+    const Projection projection = project(test::camera_at({0, 0, 5}, {0, 0, 0}), 64, 64);
+    SeenTriangles triangles;
+    triangles.update(geometry, 1);
+    const Visibility square = lit(geometry, directions, [](double x) { return 0.1 + 0.8 * x * x; });
+    const Visibility half =
+        lit(geometry, directions, [](double x) { return x < 0 ? 0.6 : 0.1 + 0.8 * x * x; });
+    std::vector<std::uint32_t> former(geometry.positions.size());
+    for (std::uint32_t v = 0; v < former.size(); ++v) former[v] = geometry.positions[v].x < 0 ? kNoVertex : v;
+    const std::vector<std::uint8_t> same_places(former.size(), 1);
+    const auto error_of = [&](ShadowError& error, const Visibility& visibility, Version version,
+                              Version before) {
+        SurfaceState state{.geometry = geometry,
+                           .visibility = &visibility,
+                           .directions = &directions,
+                           .versions = {.geometry = 1, .visibility = version},
+                           .materials = 1};
+        if (before != 0)
+            state.change = SurfaceChange{.before = {.geometry = 1, .visibility = before},
+                                         .former = former,
+                                         .same_places = same_places};
+        return error.of(state, true, triangles, projection).error;
+    };
+    ShadowError fresh, followed, missed, kept;
+    const double wanted = error_of(fresh, half, 2, 0);
+    const double before = error_of(followed, square, 1, 0);
+    CHECK(std::abs(before - wanted) > 0.01 * wanted);
+    CHECK(error_of(followed, half, 2, 1) == wanted);
+    // A state in between was not measured.
+    (void)error_of(missed, square, 1, 0);
+    former.assign(former.size(), 0);
+    CHECK(error_of(missed, half, 3, 2) == wanted);
+    (void)error_of(kept, square, 1, 0);
+    CHECK(error_of(kept, half, 2, 1) == 0);
+}
