@@ -134,10 +134,12 @@ void SceneVisibility::find_directions(const SceneGeometry& surfaces, const Rende
 void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options) {
     progressive_ = std::make_unique<ProgressiveBake>();
     const bool fine = shortest_edge_ == 0;
-    // Bake of the last update(), if it belongs to the surfaces before or after their last change.
-    const bool current =
-        baked_geometry_ != 0 && refining_.is_current(baked_.version(), options.refine_tolerance,
-                                                     options.max_vertices, false, shortest_edge_);
+    // Bake of the last update(), if it has these directions and belongs to the surfaces before or after their
+    // last change.
+    const bool current = baked_geometry_ != 0 &&
+                         baking_.is_current(baked_geometry_, options.bake_directions, surfaces.own_axes()) &&
+                         refining_.is_current(baked_.version(), options.refine_tolerance,
+                                              options.max_vertices, false, shortest_edge_);
     const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
     if (current && follows) {
         for (std::uint8_t& state : baked_vertices_) state = state == kTraced ? 1 : 0;

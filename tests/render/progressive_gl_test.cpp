@@ -29,7 +29,7 @@ constexpr double kLeast = 1e-6;
 struct Table {
     Table() {
         scene.set_environment(test::falling_light(5, true, 3), glm::dmat3(1), 1);
-        scene.add(
+        floor = scene.add(
             {.mesh = test::rectangle(16), .material = diffuse({0.5}), .to_world = test::plate_at(0, 3)});
         ball = scene.add({.mesh = test::coarse_sphere(5),
                           .material = pplastic({.alpha = 0.3}),
@@ -40,7 +40,7 @@ struct Table {
     }
 
     Scene scene;
-    std::uint32_t ball = 0, sheet = 0;
+    std::uint32_t floor = 0, ball = 0, sheet = 0;
 };
 
 // Returns the image of a fresh start. A first image by default refines what it shows alone.
@@ -111,6 +111,31 @@ IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
             CHECK(studio.statistics.vertices_unoccluded == fresh.statistics.vertices_unoccluded);
             CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
         }
+    }
+}
+
+IMAGE_TEST_CASE("a budget that begins with other directions takes over no bake") {
+    const struct {
+        int directions;
+        bool rotated;  // the largest object, along whose axes the directions lie
+    } rows[] = {{1024, false}, {256, false}, {512, true}};
+    for (const auto& row : rows) {
+        CAPTURES(row.directions, row.rotated);
+        Table table;
+        Studio studio(context);
+        studio(table.scene, options_with(0));
+        RenderOptions options = options_with(kLeast);
+        options.bake_directions = row.directions;
+        if (row.rotated)
+            table.scene.set_transform(
+                table.floor, glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 1, 0)) * test::plate_at(0, 3));
+        CHECK(converge(studio, table.scene, options) < 3000);
+        const StokesImage image = studio(table.scene, options);
+        Studio fresh(context);
+        options.bake_budget_ms = 0;
+        options.disabled_optimisations = skip_rays;
+        const StokesImage truth = fresh(table.scene, options);
+        CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
     }
 }
 
