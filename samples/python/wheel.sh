@@ -12,7 +12,7 @@ out=$PWD/build-wheel/wheels
 rm -rf "$out"
 # Debian 12's pip does not know -C yet. Compiler caches find what other builds compiled if the build folder is as deep as
 # theirs in the repository, because the paths of headers are relative to it.
-"$tools/pip" wheel --quiet --no-deps --no-build-isolation --config-settings build-dir="$PWD/build-wheel" \
+"$tools/pip" wheel --quiet --no-deps --no-build-isolation --config-settings build-dir="$PWD/build-wheel-cmake" \
     -w "$out/here" samples/python
 PATH=$tools:$PATH "$tools/auditwheel" repair -w "$out" "$out"/here/*.whl
 ls -l "$out"/*.whl

@@ -11,8 +11,8 @@
 namespace nicol {
 namespace {
 
-/// Vertices at the ends of the edges of a set. Most triangles have fewer than two such corners, and then no
-/// edge of the set, which is found without a search.
+/// Vertices at the ends of the edges that were added between two calls of update(). Most triangles have fewer
+/// than two such corners, and then no edge of the set, which is found without a search.
 class EdgeEnds {
 public:
     /// places: the place of each vertex.

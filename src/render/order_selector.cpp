@@ -127,10 +127,10 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         for (const int high : kSplitOrders)
             if (split && low >= kLowestSplit && high > low) candidates.push_back({.low = low, .high = high});
     }
-    const auto cost_of = [=](const Orders& orders) {
-        return cost(orders.low, orders.high > orders.low, local_lights);
+    const auto frame_time = [=](const Orders& orders) {
+        return kRestOfFrame + cost(orders.low, orders.high > orders.low, local_lights);
     };
-    std::ranges::stable_sort(candidates, {}, cost_of);
+    std::ranges::stable_sort(candidates, {}, frame_time);
     // Fits take most of the time, so only candidates that could be within the tolerance are fitted.
     for (Orders& orders : candidates) {
         if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
@@ -140,7 +140,7 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         // Fits of high orders would take longer than they save.
         Orders best = orders;
         for (Orders better : candidates) {
-            if (kRestOfFrame + cost_of(better) > (1 + kNegligible) * (kRestOfFrame + cost_of(orders))) break;
+            if (frame_time(better) > (1 + kNegligible) * frame_time(orders)) break;
             if (better.high > better.low) continue;
             better.error = error(better.low, better.high, Fit::made);
             if (better.error < best.error) best = better;
@@ -155,7 +155,7 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
     const double least = std::ranges::min_element(candidates, {}, &Orders::error)->error;
     std::erase_if(candidates, [=](const Orders& orders) { return orders.error > kMostLoss * least; });
     return *std::ranges::min_element(candidates, {}, [&](const Orders& orders) {
-        return (tolerance * tolerance + orders.error * orders.error) * (kRestOfFrame + cost_of(orders));
+        return (tolerance * tolerance + orders.error * orders.error) * frame_time(orders);
     });
 }
 

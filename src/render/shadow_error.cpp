@@ -39,6 +39,8 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
     if (surfaces.visibility == nullptr) {
         of_all_ = 0;
         measuring_.reset();
+        irradiance_versions_ = {};
+        irradiance_ = {};
         return {};
     }
     const WorldGeometry& geometry = surfaces.geometry;
@@ -57,11 +59,10 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
 
 void ShadowError::find_irradiance(const SurfaceState& surfaces) {
     const std::vector<glm::vec3>& normals = surfaces.geometry.normals;
-    const SurfaceVersions measured = std::exchange(measured_, {});
+    const SurfaceVersions last = std::exchange(irradiance_versions_, {});
     const std::vector<float> before = std::exchange(irradiance_, std::vector<float>(normals.size()));
     const SurfaceChange* const change =
-        surfaces.change && surfaces.change->before == measured && !before.empty() ? &*surfaces.change
-                                                                                  : nullptr;
+        surfaces.change && surfaces.change->before == last ? &*surfaces.change : nullptr;
     const HiddenLight hidden(*surfaces.directions);
     tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
         const bool kept = change != nullptr && change->former[v] != kNoVertex &&
@@ -69,7 +70,7 @@ void ShadowError::find_irradiance(const SurfaceState& surfaces) {
         irradiance_[v] =
             kept ? before[change->former[v]] : 1 - hidden.at(*surfaces.visibility, v, normals[v]).x;
     });
-    measured_ = surfaces.versions;
+    irradiance_versions_ = surfaces.versions;
 }
 
 void ShadowError::measure(const SurfaceState& surfaces) {

@@ -41,14 +41,15 @@ private:
 
     void measure(const SurfaceState& surfaces);
 
-    // Sets irradiance_; takes over what the surfaces have kept since they were measured_.
+    // Sets irradiance_. Keeps the values of vertices whose visibility and normal have not changed since the
+    // last call.
     void find_irradiance(const SurfaceState& surfaces);
 
     Stage<SurfaceVersions> measuring_;
-    SurfaceVersions measured_;       // surfaces of irradiance_
-    std::vector<float> irradiance_;  // by vertex
-    std::vector<Squares> squares_;   // by triangle; irradiance < 0: not baked
-    double all_ = 1;                 // mean square of the irradiance, of all surfaces
+    SurfaceVersions irradiance_versions_;  // versions of the surfaces that irradiance_ belongs to
+    std::vector<float> irradiance_;        // by vertex
+    std::vector<Squares> squares_;         // by triangle; irradiance < 0: not baked
+    double all_ = 1;                       // mean square of the irradiance, of all surfaces
     double of_all_ = 0;
 };
 

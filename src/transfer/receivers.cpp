@@ -15,11 +15,12 @@
 namespace nicol {
 namespace {
 
-// Largest distance of a vertex from its receiver, relative to the distance of the surfaces that the receiver
-// sees, where their normals are equal; and largest sqrt(1 - cos(angle)) of the normals at one place.
+// A receiver reaches a vertex if their differences, each relative to its bound, have a sum below 1. Bound of
+// the distance, relative to the distance of the surfaces that the receiver sees; and of sqrt(1 - cos(angle))
+// of the normals.
 constexpr float kReach = 0.3F;
 constexpr float kBend = 0.4F;
-// Largest difference of the light that surfaces hide from both, relative to the larger one and kLittleHidden.
+// Bound of the difference in hidden light, relative to the sum of the larger hidden light and kLittleHidden.
 // Bounced light comes from the directions of hidden light. A receiver that sees distant surfaces alone
 // reaches far, and some of the vertices that it reaches see much more of them.
 constexpr float kUnlike = 0.5F;
@@ -31,7 +32,7 @@ constexpr std::size_t kFewReceivers = 2048;  // that may be any share of the ver
 constexpr float kGrowth = 1.5F;
 constexpr int kMostGrowths = 4;
 
-/// What Ward's condition asks of a vertex.
+/// Properties of a vertex that decide which receivers reach it.
 struct Place {
     glm::vec3 position, normal;
     glm::vec4 hidden;  // see HiddenLight
@@ -46,7 +47,7 @@ float difference_of(const Place& a, const Place& b) {
 /// Receivers by the places that they reach.
 class ReceiverGrid {
 public:
-    /// scale: of all bounds.
+    /// scale: factor of all three bounds.
     explicit ReceiverGrid(float scale) : scale_(scale) {}
 
     void add(std::uint32_t receiver, const Place& place, float distance) {
@@ -68,7 +69,7 @@ public:
     /// Calls found(receiver, weight) for receivers that reach a point; weight: above 0, falls to 0 where the
     /// reach ends. Receivers are denser and reach less far where other surfaces are near, and the weights
     /// make up for both: near a corner, where density and reach go by the distance from it, the weighted mean
-    /// of the receivers' places is the point itself, so that light which changes evenly is interpolated
+    /// of the receivers' places is about the point itself, so that light which changes evenly is interpolated
     /// right.
     template <class Found>
     void near(const Place& place, const Found& found) const {
@@ -77,9 +78,10 @@ public:
             if (cell == cells_.end()) continue;
             for (const std::uint32_t index : cell->second) {
                 const Entry& entry = entries_[index];
-                const float distance = glm::length(place.position - entry.place.position);
-                const float away =
-                    (distance * entry.nearness / kReach + difference_of(place, entry.place)) / scale_;
+                const float distance =
+                    glm::length(place.position - entry.place.position) * entry.nearness / kReach;
+                if (!(distance < scale_)) continue;  // most entries of a cell
+                const float away = (distance + difference_of(place, entry.place)) / scale_;
                 if (away < 1) found(entry.receiver, (1 - away) * entry.nearness * entry.nearness);
             }
         }
@@ -137,13 +139,17 @@ std::vector<std::uint32_t> shuffled(const Visibility& visibility) {
 class Places {
 public:
     Places(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
-           std::span<const std::uint32_t> occluded)
+           std::span<const std::uint32_t> occluded, const BakeProgress& progress)
         : positions_(geometry.positions), normals_(search.normals()), hidden_(normals_.size()) {
+        constexpr std::size_t together = 4096;  // vertices between two reports
         const HiddenLight hidden(search.directions());
-        tbb::parallel_for(std::size_t{0}, occluded.size(), [&](std::size_t k) {
-            const std::uint32_t v = occluded[k];
-            hidden_[v] = hidden.at(visibility, v, normals_[v]);
-        });
+        for (std::size_t first = 0; first < occluded.size(); first += together) {
+            if (progress) progress(0);
+            tbb::parallel_for(first, std::min(first + together, occluded.size()), [&](std::size_t k) {
+                const std::uint32_t v = occluded[k];
+                hidden_[v] = hidden.at(visibility, v, normals_[v]);
+            });
+        }
     }
 
     [[nodiscard]] Place at(std::uint32_t vertex) const {
@@ -233,7 +239,7 @@ Choice choose(const Places& places, const LinkSearch& search, std::span<const st
 Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
                          const BakeProgress& progress) {
     const std::vector<std::uint32_t> order = shuffled(visibility);
-    const Places places(geometry, search, visibility, order);
+    const Places places(geometry, search, visibility, order, progress);
     const std::size_t few = std::max(kFewReceivers, visibility.vertices() / kVerticesOfReceiver);
     float scale = 1;
     Choice choice = choose(places, search, order, scale, few, {}, progress);

@@ -25,7 +25,7 @@ SINGLES = {
     "exposure": {"percentile": 99, "level": 0.9},
     "write": ["mosaic", "angles", "stokes", "s0", "dolp", "aolp", "depth", "normals", "normals_camera", "positions", "ids", "alpha"],
 }  # fmt: skip
-# Scenes of several views, in which light is reflected from surface to surface, and turns. Few directions bake as many do.
+# Scenes of several views, in which light is reflected from surface to surface, and turns. Few directions are enough, because bytes are compared, not light.
 ORBITS = {
     "views": 3,
     "objects": [

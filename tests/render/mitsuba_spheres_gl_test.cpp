@@ -45,7 +45,7 @@ void check_spheres(const std::filesystem::path& folder, const Limits& limits) {
     };
     CHECK(error({.method = Method::reference, .samples = 192}) < limits.reference_method);
     if (limits.pixels == 0) return;
-    // Few directions are enough, because spheres alone have no shadows.
+    // Few directions are enough, because spheres apart hide little light from each other.
     RenderOptions automatic{
         .bake_directions = 256, .shade_at = ShadeAt::automatic, .choose_orders = true, .physical = true};
     CHECK(error(automatic) < limits.pixels);

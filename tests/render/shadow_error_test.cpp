@@ -134,6 +134,7 @@ TEST_CASE("what a change of shadows keeps is not measured again, and the rest is
     std::vector<std::uint32_t> former(geometry.positions.size());
     for (std::uint32_t v = 0; v < former.size(); ++v) former[v] = geometry.positions[v].x < 0 ? kNoVertex : v;
     const std::vector<std::uint8_t> same_places(former.size(), 1);
+    std::vector<std::uint8_t> same_normals;  // empty: all are the same
     const auto error_of = [&](ShadowError& error, const Visibility& visibility, Version version,
                               Version before) {
         SurfaceState state{.geometry = geometry,
@@ -144,7 +145,8 @@ TEST_CASE("what a change of shadows keeps is not measured again, and the rest is
         if (before != 0)
             state.change = SurfaceChange{.before = {.geometry = 1, .visibility = before},
                                          .former = former,
-                                         .same_places = same_places};
+                                         .same_places = same_places,
+                                         .same_normals = same_normals};
         return error.of(state, true, triangles, projection).error;
     };
     ShadowError fresh, followed, missed, kept;
@@ -158,4 +160,9 @@ TEST_CASE("what a change of shadows keeps is not measured again, and the rest is
     CHECK(error_of(missed, half, 3, 2) == wanted);
     (void)error_of(kept, square, 1, 0);
     CHECK(error_of(kept, half, 2, 1) == 0);
+    // Vertices with other normals keep nothing.
+    ShadowError bent;
+    (void)error_of(bent, square, 1, 0);
+    same_normals.assign(former.size(), 0);
+    CHECK(error_of(bent, half, 2, 1) == wanted);
 }
