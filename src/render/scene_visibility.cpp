@@ -11,6 +11,7 @@
 #include "render/baked_vertices.hpp"
 #include "render/carried_states.hpp"
 #include "render/needed_vertices.hpp"
+#include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
 #include "visibility/possible_blockers.hpp"
 
