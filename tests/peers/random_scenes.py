@@ -29,7 +29,7 @@ import random_scene
 RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 64}
 DEFAULT = {"pixel_samples": 8}
 # Largest errors of s0, the 90th percentile and the worst scene: of scenes of direct light, and of those where light bounces.
-BY_DEFAULT = ((0.016, 0.038), (0.025, 0.05))
+BY_DEFAULT = ((0.016, 0.038), (0.017, 0.036))
 # Width and height of a block, in pixels.
 BLOCK = 4
 # Number of places along each side of a pixel where its objects and their s0 are asked for.
