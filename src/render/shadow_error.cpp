@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <utility>
@@ -39,7 +40,7 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
     if (surfaces.visibility == nullptr) {
         of_all_ = 0;
         measuring_.reset();
-        irradiance_versions_ = {};
+        finding_.reset();
         irradiance_ = {};
         return {};
     }
@@ -58,19 +59,16 @@ ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const
 }
 
 void ShadowError::find_irradiance(const SurfaceState& surfaces) {
+    if (!finding_.update(surfaces)) return;
     const std::vector<glm::vec3>& normals = surfaces.geometry.normals;
-    const SurfaceVersions last = std::exchange(irradiance_versions_, {});
     const std::vector<float> before = std::exchange(irradiance_, std::vector<float>(normals.size()));
-    const SurfaceChange* const change =
-        surfaces.change && surfaces.change->before == last ? &*surfaces.change : nullptr;
     const HiddenLight hidden(*surfaces.directions);
     tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
-        const bool kept = change != nullptr && change->former[v] != kNoVertex &&
-                          (change->same_normals.empty() || change->same_normals[v] != 0);
+        const std::uint32_t former = finding_.former()[v];
         irradiance_[v] =
-            kept ? before[change->former[v]] : 1 - hidden.at(*surfaces.visibility, v, normals[v]).x;
+            former != kNoVertex ? before[former] : 1 - hidden.at(*surfaces.visibility, v, normals[v]).x;
     });
-    irradiance_versions_ = surfaces.versions;
+    finding_.complete();
 }
 
 void ShadowError::measure(const SurfaceState& surfaces) {

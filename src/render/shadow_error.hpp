@@ -7,6 +7,7 @@
 #include "render/seen_triangles.hpp"
 #include "scene/projection.hpp"
 #include "surfaces/surface_state.hpp"
+#include "surfaces/vertex_stage.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -46,10 +47,10 @@ private:
     void find_irradiance(const SurfaceState& surfaces);
 
     Stage<SurfaceVersions> measuring_;
-    SurfaceVersions irradiance_versions_;  // versions of the surfaces that irradiance_ belongs to
-    std::vector<float> irradiance_;        // by vertex
-    std::vector<Squares> squares_;         // by triangle; irradiance < 0: not baked
-    double all_ = 1;                       // mean square of the irradiance, of all surfaces
+    VertexStage<> finding_{{.renumbers = true}};
+    std::vector<float> irradiance_;  // by vertex, of finding_
+    std::vector<Squares> squares_;   // by triangle; irradiance < 0: not baked
+    double all_ = 1;                 // mean square of the irradiance, of all surfaces
     double of_all_ = 0;
 };
 
