@@ -96,7 +96,8 @@ def main():
         return
     recipe = Recipe(os.path.join(HERE, "orbit.json"))
     renderer = Renderer(recipe)
-    render(renderer, None, [*range(0, min(count, recipe.views), 5), min(count, recipe.views) - 1])  # bakes what the views show
+    last = min(count, recipe.views) - 1
+    render(renderer, None, [*range(0, last, 5), last])  # bakes what the views show
     with tempfile.TemporaryDirectory() as place:
         with Folder(place, recipe) as folder:
             measured("one scene, mosaic PNG and Stokes EXR", renderer, folder, range(count))

@@ -31,6 +31,8 @@ constexpr std::size_t kVerticesOfReceiver = 4;
 constexpr std::size_t kFewReceivers = 2048;  // that may be any share of the vertices
 constexpr float kGrowth = 1.5F;
 constexpr int kMostGrowths = 4;
+// Vertices between two reports of progress.
+constexpr std::size_t kTogether = 4096;
 
 /// Properties of a vertex that decide which receivers reach it.
 struct Place {
@@ -141,11 +143,10 @@ public:
     Places(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
            std::span<const std::uint32_t> occluded, const BakeProgress& progress)
         : positions_(geometry.positions), normals_(search.normals()), hidden_(normals_.size()) {
-        constexpr std::size_t together = 4096;  // vertices between two reports
         const HiddenLight hidden(search.directions());
-        for (std::size_t first = 0; first < occluded.size(); first += together) {
+        for (std::size_t first = 0; first < occluded.size(); first += kTogether) {
             if (progress) progress(0);
-            tbb::parallel_for(first, std::min(first + together, occluded.size()), [&](std::size_t k) {
+            tbb::parallel_for(first, std::min(first + kTogether, occluded.size()), [&](std::size_t k) {
                 const std::uint32_t v = occluded[k];
                 hidden_[v] = hidden.at(visibility, v, normals_[v]);
             });
@@ -194,18 +195,18 @@ struct Choice {
 // former: receivers of a choice with a smaller scale, whose links the new choice takes over.
 Choice choose(const Places& places, const LinkSearch& search, std::span<const std::uint32_t> order,
               float scale, std::size_t limit, Choice former, const BakeProgress& progress) {
-    constexpr std::size_t least = 64, most = 4096;  // vertices that are examined together
-    std::vector<std::uint32_t> found(search.normals().size(),
-                                     kNoVertex);  // index in former of each of its vertices
+    constexpr std::size_t least = 64;  // vertices that are examined together
+    // Index in former of each of its vertices.
+    std::vector<std::uint32_t> found(search.normals().size(), kNoVertex);
     for (std::size_t k = 0; k < former.receivers.size(); ++k)
         found[former.receivers[k].vertex] = static_cast<std::uint32_t>(k);
     Choice out;
     ReceiverGrid grid(scale);
-    std::vector<std::vector<SurfaceLink>> links(most);
-    std::vector<float> distances(most);
+    std::vector<std::vector<SurfaceLink>> links(kTogether);
+    std::vector<float> distances(kTogether);
     for (std::size_t first = 0; first < order.size();) {
         if (progress) progress(static_cast<double>(first) / static_cast<double>(order.size()));
-        const std::size_t count = std::min({std::max(least, first), most, order.size() - first});
+        const std::size_t count = std::min({std::max(least, first), kTogether, order.size() - first});
         const auto reached = [&](std::uint32_t v) { return grid.reaches(places.at(v)); };
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
             const std::uint32_t v = order[first + k];
@@ -248,11 +249,10 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
         const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
         choice = choose(places, search, order, scale, limit, std::move(choice), progress);
     }
-    constexpr std::size_t together = 4096;  // receivers between two reports
     std::size_t links = 0;
-    for (std::size_t first = 0; first < choice.receivers.size(); first += together) {
+    for (std::size_t first = 0; first < choice.receivers.size(); first += kTogether) {
         if (progress) progress(static_cast<double>(first) / static_cast<double>(choice.receivers.size()));
-        const std::size_t last = std::min(first + together, choice.receivers.size());
+        const std::size_t last = std::min(first + kTogether, choice.receivers.size());
         tbb::parallel_for(first, last, [&](std::size_t k) {
             search.refine(choice.receivers[k].vertex, choice.receivers[k].links);
         });

@@ -44,8 +44,8 @@ struct Table {
 };
 
 // Returns the image of a fresh start. A first image by default refines what it shows alone.
-StokesImage fresh_image(Studio& fresh, const Scene& scene, ShadeAt where = ShadeAt::pixels) {
-    RenderOptions options = options_with(0, where);
+StokesImage fresh_image(Studio& fresh, const Scene& scene, RenderOptions options = options_with(0)) {
+    options.bake_budget_ms = 0;
     options.disabled_optimisations = skip_rays;
     return fresh(scene, options);
 }
@@ -105,7 +105,7 @@ IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
             const StokesImage image = studio(table.scene, options);
             CHECK(studio.statistics.bake_rays == 0);
             Studio fresh(context);
-            const StokesImage truth = fresh_image(fresh, table.scene, where);
+            const StokesImage truth = fresh_image(fresh, table.scene, options);
             CHECK(fresh.statistics.vertices_pending == 0);
             CHECK(studio.statistics.vertices == fresh.statistics.vertices);
             CHECK(studio.statistics.vertices_unoccluded == fresh.statistics.vertices_unoccluded);
@@ -132,9 +132,7 @@ IMAGE_TEST_CASE("a budget that begins with other directions takes over no bake")
         CHECK(converge(studio, table.scene, options) < 3000);
         const StokesImage image = studio(table.scene, options);
         Studio fresh(context);
-        options.bake_budget_ms = 0;
-        options.disabled_optimisations = skip_rays;
-        const StokesImage truth = fresh(table.scene, options);
+        const StokesImage truth = fresh_image(fresh, table.scene, options);
         CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
     }
 }
